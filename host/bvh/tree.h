@@ -1,0 +1,52 @@
+// The hierarchy before it is flattened, and the two ways to build it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <glm/glm.hpp>
+#include <limits>
+#include <mutex>
+#include <span>
+
+#include "shaders/shared/bvh_node.h"
+
+namespace meniscal {
+
+struct Box {
+  glm::vec3 min{std::numeric_limits<float>::infinity()};  // empty
+  glm::vec3 max{-std::numeric_limits<float>::infinity()};
+  void grow(const Box& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+  }
+};
+
+// A leaf where count > 0, else an inner node with two children.
+struct TreeNode {
+  std::array<Box, 2> box;
+  std::array<const TreeNode*, 2> child{};
+  uint32_t count = 0;
+  std::array<uint32_t, shared::BVH_MAX_LEAF> triangles{};
+};
+
+// Owns the nodes; their addresses hold. Embree may call from its own threads, hence the lock.
+class TreeNodes {
+ public:
+  TreeNode* make() {
+    const std::lock_guard lock(mutex_);
+    return &nodes_.emplace_back();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::deque<TreeNode> nodes_;
+};
+
+// Leaves of at most BVH_MAX_LEAF triangles, at most max_depth inner nodes deep. boxes: one a triangle, at least one.
+// By surface-area heuristic; null where that would be deeper.
+const TreeNode* build_sah_tree(std::span<const Box> boxes, uint32_t max_depth, TreeNodes& nodes);
+// By halving along the longest side of the centres: the shallowest tree there is.
+const TreeNode* build_median_tree(std::span<const Box> boxes, TreeNodes& nodes);
+
+}  // namespace meniscal

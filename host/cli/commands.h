@@ -1,0 +1,14 @@
+// The subcommands of `meniscal`, one file each. Each adds itself to the application, and runs when the command line
+// names it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace meniscal {
+
+void add_render(CLI::App& app);
+void add_info(CLI::App& app);
+void add_devices(CLI::App& app);
+void add_compare(CLI::App& app);
+
+}  // namespace meniscal

@@ -1,0 +1,227 @@
+// meniscal info: what a scene contains, as the renderer understands it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/commands.h"
+#include "host/render/plan.h"
+#include "host/scene/scene.h"
+#include "host/world/world.h"
+
+namespace meniscal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+
+std::string name_of(const Material& material) { return material.name.empty() ? "(unnamed)" : material.name; }
+
+// sqrt(surface tension / (density * gravity)), metres: the paper's length unit, section 3.
+double capillary_length(const LiquidProperties& liquid, double gravity) {
+  return std::sqrt(liquid.surface_tension / (liquid.density * gravity));
+}
+
+// Degrees, by the liquid's material; a solid that says nothing takes the liquid's default.
+double contact_angle(const Material& solid, const Material& liquid) {
+  const auto with = solid.contact_angle_with.find(liquid.name);
+  if (with != solid.contact_angle_with.end()) return with->second;
+  return solid.contact_angle.value_or(liquid.liquid->default_contact_angle);
+}
+
+std::string light_type(PunctualLight::Type type) {
+  switch (type) {
+    case PunctualLight::Type::directional:
+      return "directional";
+    case PunctualLight::Type::point:
+      return "point";
+    case PunctualLight::Type::spot:
+      return "spot";
+  }
+  return "";
+}
+
+Json triple(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+Json objects_of(const Scene& scene) {
+  Json list = Json::array();
+  for (const Object& o : scene.objects)
+    list.push_back({{"name", o.name},
+                    {"triangles", o.mesh.triangles.size()},
+                    {"material", name_of(scene.materials.at(static_cast<std::size_t>(o.material)))},
+                    {"closed", o.closed}});
+  return list;
+}
+
+std::string optics_of(std::uint32_t kind) {
+  switch (kind) {
+    case shared::SPECULAR_MIRROR:
+      return "mirror";
+    case shared::SPECULAR_DIELECTRIC:
+      return "refracts";
+    case shared::SPECULAR_THIN:
+      return "thin-walled, does not refract";
+    default:
+      return "diffuse";
+  }
+}
+
+Json material_of(const Material& m, const shared::Surface& surface, const Scene& scene) {
+  Json json{{"name", name_of(m)},
+            {"optics", optics_of(surface.kind)},
+            {"base_color", triple(m.base_color)},
+            {"metallic", m.metallic},
+            {"roughness", m.roughness},
+            {"transmission", m.transmission},
+            {"ior", m.ior}};
+  if (m.emission != glm::dvec3(0)) json["emission"] = triple(m.emission);
+  if (m.target) json["meniscus_target"] = true;
+  if (m.meniscus_ignore) json["meniscus_ignore"] = true;
+  if (m.liquid) {
+    json["liquid"] = {{"kind", m.liquid->kind},
+                      {"surface_tension_N_per_m", m.liquid->surface_tension},
+                      {"density_kg_per_m3", m.liquid->density},
+                      {"capillary_length_m", capillary_length(*m.liquid, scene.gravity)},
+                      {"profile", m.liquid->profile},
+                      {"height_rule", m.liquid->height_rule}};
+    return json;
+  }
+  for (const Material& other : scene.materials)
+    if (other.liquid && !m.meniscus_ignore) json["contact_angle_deg"][name_of(other)] = contact_angle(m, other);
+  return json;
+}
+
+Json lights_of(const Scene& scene) {
+  Json list = Json::array();
+  for (const PunctualLight& l : scene.lights) {
+    Json json{{"name", l.name}, {"type", light_type(l.type)}, {"intensity", triple(l.intensity)}};
+    if (l.type == PunctualLight::Type::directional) json["angular_diameter_deg"] = l.angular_diameter * kDegrees;
+    if (l.type == PunctualLight::Type::spot) json["outer_cone_deg"] = l.outer_cone * kDegrees;
+    list.push_back(json);
+  }
+  for (const Object& o : scene.objects) {
+    const Material& m = scene.materials.at(static_cast<std::size_t>(o.material));
+    if (m.emission != glm::dvec3(0))
+      list.push_back({{"name", o.name}, {"type", "mesh"}, {"radiance", triple(m.emission)}});
+  }
+  return list;
+}
+
+Json cameras_of(const Scene& scene) {
+  Json list = Json::array();
+  for (const Camera& c : scene.cameras)
+    list.push_back({{"name", c.name}, {"type", c.orthographic ? "orthographic" : "perspective"}});
+  return list;
+}
+
+Json menisci_of(const World& world) {
+  Json list = Json::array();
+  for (const LiquidReport& l : world.liquids)
+    for (const meniscus::Contact& c : l.contacts)
+      list.push_back({{"liquid", l.liquid},
+                      {"solid", c.solid},
+                      {"closed", c.closed},
+                      {"length_m", c.length},
+                      {"contact_angle_deg", c.contact_angle * kDegrees},
+                      {"rise_min_m", c.rise_min},
+                      {"rise_max_m", c.rise_max}});
+  return list;
+}
+
+Json plan_of(const World& world) {
+  Json list = Json::array();
+  for (const PlanEntry& e : make_plan(world)) list.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
+  return list;
+}
+
+// What `--json` prints; the text is written from the same values.
+Json describe(const Scene& scene, const World& world) {
+  Json materials = Json::array();
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    materials.push_back(material_of(scene.materials[i], world.surfaces.at(i), scene));
+  std::size_t triangles = 0;
+  for (const Object& o : scene.objects) triangles += o.mesh.triangles.size();
+  std::vector<std::string> warnings = scene.warnings;
+  warnings.insert(warnings.end(), world.warnings.begin(), world.warnings.end());
+  return {{"file", scene.file},         {"hash", scene.hash},           {"gravity_m_per_s2", scene.gravity},
+          {"triangles", triangles},     {"objects", objects_of(scene)}, {"materials", materials},
+          {"lights", lights_of(scene)}, {"cameras", cameras_of(scene)}, {"menisci", menisci_of(world)},
+          {"plan", plan_of(world)},     {"warnings", warnings}};
+}
+
+std::string describe_material(const Json& m) {
+  std::string line = fmt::format("  {:<24} ", m["name"].get<std::string>());
+  if (m.contains("liquid")) {
+    const Json& l = m["liquid"];
+    line += fmt::format("liquid ({}), {:g} N/m, {:g} kg/m3, capillary length {:.4g} mm, profile {}, rule {}; ",
+                        l["kind"].get<std::string>(), l["surface_tension_N_per_m"].get<double>(),
+                        l["density_kg_per_m3"].get<double>(), 1e3 * l["capillary_length_m"].get<double>(),
+                        l["profile"].get<std::string>(), l["height_rule"].get<std::string>());
+  }
+  line += m["optics"].get<std::string>();
+  if (m["transmission"].get<double>() > 0) line += fmt::format(", ior {:g}", m["ior"].get<double>());
+  line += fmt::format(", roughness {:g}, metallic {:g}", m["roughness"].get<double>(), m["metallic"].get<double>());
+  if (m.contains("emission")) line += "; emits";
+  if (m.contains("meniscus_target")) line += "; target of photons";
+  if (m.contains("meniscus_ignore")) line += "; no meniscus";
+  if (m.contains("contact_angle_deg"))
+    for (const auto& [liquid, angle] : m["contact_angle_deg"].items())
+      line += fmt::format("; contact angle {:g} deg with {}", angle.get<double>(), liquid);
+  return line + "\n";
+}
+
+std::string as_text(const Json& scene) {
+  std::string text = fmt::format("{}: {} triangles, gravity {:g} m/s2\n", scene["file"].get<std::string>(),
+                                 scene["triangles"].get<long>(), scene["gravity_m_per_s2"].get<double>());
+  text += "objects\n";
+  for (const Json& o : scene["objects"])
+    text += fmt::format("  {:<24} {:>9} triangles, {}, {}\n", o["name"].get<std::string>(), o["triangles"].get<long>(),
+                        o["closed"].get<bool>() ? "closed" : "open", o["material"].get<std::string>());
+  text += "materials\n";
+  for (const Json& m : scene["materials"]) text += describe_material(m);
+  text += "lights\n";
+  for (const Json& l : scene["lights"])
+    text += fmt::format("  {:<24} {}\n", l["name"].get<std::string>(), l["type"].get<std::string>());
+  text += "cameras\n";
+  for (const Json& c : scene["cameras"])
+    text += fmt::format("  {:<24} {}\n", c["name"].get<std::string>(), c["type"].get<std::string>());
+  text += "menisci\n";
+  for (const Json& c : scene["menisci"])
+    text += fmt::format("  {:<24} {} in {}, {:.4g} mm round, contact angle {:g} deg, rise {:.4g} to {:.4g} mm\n",
+                        c["solid"].get<std::string>(), c["closed"].get<bool>() ? "closed" : "open",
+                        c["liquid"].get<std::string>(), 1e3 * c["length_m"].get<double>(),
+                        c["contact_angle_deg"].get<double>(), 1e3 * c["rise_min_m"].get<double>(),
+                        1e3 * c["rise_max_m"].get<double>());
+  text += "plan\n";
+  for (const Json& e : scene["plan"])
+    text += fmt::format("  {:<24} {:<3}  {}\n", e["feature"].get<std::string>(), e["on"].get<bool>() ? "on" : "off",
+                        e["why"].get<std::string>());
+  for (const Json& w : scene["warnings"]) text += fmt::format("warning: {}\n", w.get<std::string>());
+  return text;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  struct Options {
+    std::string scene;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("info", "Say what a scene contains: objects, materials, liquids, lights, cameras, warnings");
+  command->add_option("SCENE", options->scene, "glTF 2.0 scene, .gltf or .glb")->required();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer("Example: meniscal info scene.gltf");
+  command->callback([options] {
+    const Scene scene = load_gltf(options->scene);
+    const Json description = describe(scene, build_world(scene, MeniscusModel::paper));
+    std::fputs((options->json ? description.dump(2) + "\n" : as_text(description)).c_str(), stdout);
+  });
+}
+
+}  // namespace meniscal

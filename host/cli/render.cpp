@@ -1,0 +1,98 @@
+// meniscal render: from a scene to a picture. Reads as the pipeline.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/commands.h"
+#include "host/cli/interrupt.h"
+#include "host/cli/progress.h"
+#include "host/cli/render_options.h"
+#include "host/cli/render_settings.h"
+#include "host/error.h"
+#include "host/image/atomic_file.h"
+#include "host/image/exr.h"
+#include "host/image/png.h"
+#include "host/reference/backend.h"
+#include "host/render/gpu_backend.h"
+#include "host/render/header.h"
+#include "host/render/statistics.h"
+
+namespace meniscal {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::unique_ptr<Backend> make_backend(const std::string& device, const World& world, const RenderSettings& settings) {
+  if (device == "cpu") return std::make_unique<reference::ReferenceBackend>(world, settings);
+  return std::make_unique<GpuBackend>(gpu::Device::open(device), world, settings);
+}
+
+void require_outputs(const RenderOptions& options) {
+  require_writable(options.output);
+  if (options.preview) require_writable(*options.preview);
+  if (options.stats) require_writable(*options.stats);
+}
+
+void render(const RenderOptions& options) {
+  const auto start = Clock::now();
+  require_outputs(options);
+  catch_interrupts();
+  Progress progress(progress_style(options.quiet, options.json_progress, isatty(STDERR_FILENO) != 0));
+
+  progress.begin("scene", 1);
+  const Scene scene = load_gltf(options.scene);
+  RunStatistics run;
+  run.seconds["load"] = seconds_since(start);
+  const World world = build_world(scene, options.meniscus);
+  for (const std::string& w : scene.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
+  for (const std::string& w : world.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
+  if (options.diffuse_bounces > 0)
+    fmt::print(stderr, "meniscal: warning: interreflection is not computed yet; --diffuse-bounces is taken as 0\n");
+  const RenderSettings settings = choose_settings(options, scene, world);
+
+  const std::unique_ptr<Backend> backend = make_backend(options.device, world, settings);
+  Film film(settings.crop, options.aovs, options.map_scale);
+  const PassRange asked = options.passes_to_run();
+  progress.begin("passes", asked.last - asked.first);
+  run.tallies = render_passes(*backend, asked, film, [&](std::uint32_t done) {
+    progress.update(done);
+    return !interrupted();
+  });
+  run.passes = {asked.first, asked.first + film.passes()};
+  run.error_estimate = film.error_estimate();
+  run.backend = backend->statistics();
+  if (run.backend.traversal_limits > 0)
+    fmt::print(stderr, "meniscal: warning: {} rays were cut short in the hierarchy; the picture lacks their light\n",
+               run.backend.traversal_limits);
+
+  const auto write_start = Clock::now();
+  Image image = film.image(settings.width, settings.height);
+  describe(image, scene, world, settings, options.meniscus, run, seconds_since(start));
+  write_exr(options.output, image);
+  if (options.preview) write_preview(*options.preview, image, options.tonemap, options.exposure);
+  run.seconds["write"] = seconds_since(write_start);
+  run.seconds["total"] = seconds_since(start);
+  if (options.stats)
+    write_file(*options.stats, statistics_json(world, settings, options.meniscus, run).dump(2) + "\n");
+  if (interrupted())
+    throw Error(ExitCode::interrupted,
+                fmt::format("interrupted after {} of {} passes; {} holds the image so far", film.passes(),
+                            asked.last - asked.first, options.output));
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Render a scene to an OpenEXR image");
+  add_render_options(*command, *options);
+  command->footer("Example: meniscal render scene.gltf -o scene.exr --preview scene.png --passes 64");
+  command->callback([options] { render(*options); });
+}
+
+}  // namespace meniscal

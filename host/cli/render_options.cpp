@@ -1,0 +1,224 @@
+#include "host/cli/render_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "host/cli/validators.h"
+
+namespace meniscal {
+namespace {
+
+constexpr int kMaxSide = 65536;  // pixels; what is allocated is checked against memory later
+constexpr double kMaxPasses = std::numeric_limits<std::uint32_t>::max();
+
+// "a,b,c" -> {"a", "b", "c"}; an empty text is one empty part.
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+[[noreturn]] void reject(const std::string& option, const std::string& value, const std::string& wanted) {
+  throw CLI::ValidationError(option, fmt::format("{} is not {}", value.empty() ? "\"\"" : value, wanted));
+}
+
+// An option whose value `parse` turns into something, or rejects.
+template <class Parse>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, const std::string& type, const std::string& help,
+                        Parse parse) {
+  return command
+      .add_option_function<std::string>(
+          name, [=](const std::string& text) { parse(name, text); }, help)
+      ->type_name(type);
+}
+
+// An option that takes one of a few words.
+template <class Enum>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Enum& target,
+                        const std::vector<std::pair<std::string, Enum>>& choices, const std::string& help) {
+  std::string words;
+  for (const auto& [word, value] : choices) words += (words.empty() ? "" : "|") + word;
+  return add_parsed(command, name, words, help, [=, &target](const std::string& option, const std::string& text) {
+    const auto found =
+        std::find_if(choices.begin(), choices.end(), [&](const auto& choice) { return choice.first == text; });
+    if (found == choices.end()) reject(option, text, "one of " + words);
+    target = found->second;
+  });
+}
+
+Resolution parse_resolution(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, 'x');
+  Resolution r;
+  if (parts.size() != 2 || !parse_integer(parts[0], r.width) || !parse_integer(parts[1], r.height) ||
+      std::min(r.width, r.height) < 1 || std::max(r.width, r.height) > kMaxSide)
+    reject(option, text, fmt::format("WxH with 1 to {} pixels a side, such as 640x480", kMaxSide));
+  return r;
+}
+
+Crop parse_crop(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  if (parts.size() != 4 || !parse_integer(parts[0], x0) || !parse_integer(parts[1], y0) ||
+      !parse_integer(parts[2], x1) || !parse_integer(parts[3], y1) || x0 < 0 || y0 < 0 || x1 <= x0 || y1 <= y0)
+    reject(option, text, "X0,Y0,X1,Y1 with 0 <= X0 < X1 and 0 <= Y0 < Y1, in pixels, X1 and Y1 not included");
+  return {static_cast<std::uint32_t>(x0), static_cast<std::uint32_t>(y0), static_cast<std::uint32_t>(x1),
+          static_cast<std::uint32_t>(y1)};
+}
+
+PassRange parse_pass_range(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ':');
+  int first = 0, last = 0;
+  if (parts.size() != 2 || !parse_integer(parts[0], first) || !parse_integer(parts[1], last) || first < 0 ||
+      last <= first)
+    reject(option, text, "A:B with 0 <= A < B, B not included, such as 0:16");
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)};
+}
+
+MapScale parse_map_scale(const std::string& option, const std::string& text) {
+  MapScale scale;
+  for (const std::string& part : split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    const std::string map = part.substr(0, equals);
+    double* factor = map == "targeted"  ? &scale.targeted
+                     : map == "caustic" ? &scale.caustic
+                     : map == "global"  ? &scale.global
+                                        : nullptr;
+    if (!factor || equals == std::string::npos || !parse_number(part.substr(equals + 1), *factor) ||
+        !std::isfinite(*factor) || *factor < 0)
+      reject(option, part, "MAP=FACTOR with a MAP of targeted, caustic, global and a FACTOR of 0 or more");
+  }
+  return scale;
+}
+
+std::vector<std::string> parse_aovs(const std::string& option, const std::string& text) {
+  if (text == "all") return aov_names();
+  if (text == "none") return {};
+  const std::vector<std::string> asked = split(text, ',');
+  for (const std::string& name : asked)
+    if (std::find(aov_names().begin(), aov_names().end(), name) == aov_names().end())
+      reject(option, name, fmt::format("a layer; choose of {}, or all, or none", fmt::join(aov_names(), ",")));
+  std::vector<std::string> ordered;
+  for (const std::string& name : aov_names())
+    if (std::find(asked.begin(), asked.end(), name) != asked.end()) ordered.push_back(name);
+  return ordered;
+}
+
+void add_transport_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--device", options.device,
+                  "auto, cpu (the reference path), or a Vulkan device's index or part of its name")
+      ->type_name("DEVICE")
+      ->capture_default_str();
+  add_choice<MeniscusModel>(
+      command, "--meniscus", options.meniscus,
+      {{"none", MeniscusModel::none}, {"paper", MeniscusModel::paper}, {"exact", MeniscusModel::exact}},
+      "No menisci, the paper's profile, or the Young-Laplace surface")
+      ->default_str("exact");
+  command.add_option("--photons", options.photons, "Photons started per pass, all strata together")
+      ->type_name("N")
+      ->transform(whole(1, 1 << 30))
+      ->capture_default_str();
+  command.add_option("--passes", options.passes, "Passes to run")
+      ->type_name("N")
+      ->transform(whole(1, kMaxPasses))
+      ->default_str(std::to_string(RenderOptions::default_passes));
+  add_parsed(
+      command, "--pass-range", "A:B", "Only passes A <= i < B, for splitting over machines",
+      [&](const std::string& name, const std::string& text) { options.pass_range = parse_pass_range(name, text); });
+  command
+      .add_option("--radius", options.radius,
+                  "Gather radius of pass 0; by default from pixel footprint and photon density")
+      ->type_name("METRES")
+      ->check(positive());
+  command
+      .add_option("--diffuse-bounces", options.diffuse_bounces, "Diffuse bounces; 0: direct light and caustics only")
+      ->type_name("N")
+      ->transform(whole(0, 1000))
+      ->capture_default_str();
+  command
+      .add_option("--specular-bounces", options.specular_bounces,
+                  "Longest specular chain; longer ones are cut and counted")
+      ->type_name("N")
+      ->transform(whole(0, 1000))
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of the random numbers")
+      ->type_name("N")
+      ->transform(whole(0, std::numeric_limits<std::uint32_t>::max()))
+      ->capture_default_str();
+  add_parsed(command, "--map-scale", "MAP=FACTOR,...",
+             "Factors on the contributions of the maps targeted, caustic, global",
+             [&](const std::string& name, const std::string& text) { options.map_scale = parse_map_scale(name, text); })
+      ->default_str("targeted=1,caustic=1,global=1");
+}
+
+void add_film_options(CLI::App& command, RenderOptions& options) {
+  add_parsed(
+      command, "--resolution", "WxH",
+      fmt::format("Pixels; by default {} wide, as high as the camera's aspect asks", RenderOptions::default_width),
+      [&](const std::string& name, const std::string& text) { options.resolution = parse_resolution(name, text); });
+  add_parsed(command, "--crop", "X0,Y0,X1,Y1", "Only pixels X0 <= x < X1, Y0 <= y < Y1, from the upper left",
+             [&](const std::string& name, const std::string& text) { options.crop = parse_crop(name, text); });
+  command.add_option("--camera", options.camera, "Camera to look through; by default the scene's first")
+      ->type_name("NAME");
+}
+
+void add_output_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("-o,--output", options.output, "Image to write; by default SCENE's name in the current folder")
+      ->type_name("OUT.exr");
+  add_parsed(command, "--aov", "NAME,...|all|none",
+             fmt::format("Layers to write beside the beauty: {}", fmt::join(aov_names(), ",")),
+             [&](const std::string& name, const std::string& text) { options.aovs = parse_aovs(name, text); })
+      ->default_str("none");
+  command.add_option("--preview", options.preview, "Tone-mapped 8-bit picture to write too")->type_name("FILE.png");
+  add_choice<ToneMap>(command, "--tonemap", options.tonemap,
+                      {{"ward", ToneMap::ward}, {"aces", ToneMap::aces}, {"linear", ToneMap::linear}},
+                      "Tone mapping of the preview; ward: contrast-based scale factor, as in the paper")
+      ->default_str("ward");
+  command.add_option("--exposure", options.exposure, "Brightens the preview by 2^EV")->type_name("EV")->check(finite());
+  command.add_option("--stats", options.stats, "Statistics to write")->type_name("FILE.json");
+  command.add_flag("--quiet", options.quiet, "No progress");
+  command
+      .add_flag("--json-progress", options.json_progress,
+                "Progress as JSON lines, as where standard error is no terminal")
+      ->excludes("--quiet");
+}
+
+// What only the options together can tell.
+void finish(RenderOptions& options) {
+  if (options.output.empty()) options.output = std::filesystem::path(options.scene).stem().string() + ".exr";
+  const PassRange range = options.passes_to_run();
+  if (range.last <= range.first)
+    throw CLI::ValidationError(
+        "--pass-range", fmt::format("begins at pass {}, but --passes ends before pass {}", range.first, range.last));
+  if (options.crop && options.resolution &&
+      (options.crop->x1 > static_cast<std::uint32_t>(options.resolution->width) ||
+       options.crop->y1 > static_cast<std::uint32_t>(options.resolution->height)))
+    throw CLI::ValidationError(
+        "--crop", fmt::format("reaches to {},{}, beyond --resolution {}x{}", options.crop->x1, options.crop->y1,
+                              options.resolution->width, options.resolution->height));
+}
+
+}  // namespace
+
+PassRange RenderOptions::passes_to_run() const {
+  if (!pass_range) return {0, passes.value_or(default_passes)};
+  return {pass_range->first, std::min(pass_range->last, passes.value_or(pass_range->last))};
+}
+
+void add_render_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("SCENE", options.scene, "glTF 2.0 scene, .gltf or .glb")->required();
+  add_transport_options(command, options);
+  add_film_options(command, options);
+  add_output_options(command, options);
+  command.parse_complete_callback([&options] { finish(options); });
+}
+
+}  // namespace meniscal

@@ -1,0 +1,54 @@
+#include "host/cli/render_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/error.h"
+#include "host/render/plan.h"
+
+namespace meniscal {
+namespace {
+
+const Camera& find_camera(const Scene& scene, const std::optional<std::string>& name) {
+  if (!name) return scene.cameras.front();
+  std::string names;
+  for (const Camera& c : scene.cameras) {
+    if (c.name == *name) return c;
+    names += (names.empty() ? "" : ", ") + c.name;
+  }
+  throw Error(ExitCode::usage, fmt::format("--camera {}: {} has no such camera; it has {}", *name, scene.file, names));
+}
+
+// Pixels of the whole image: as asked for, or as wide as by default and as high as the camera's aspect wants.
+void choose_size(RenderSettings& settings, const RenderOptions& options) {
+  settings.width = RenderOptions::default_width;
+  const Camera& c = settings.camera;
+  const double aspect = c.orthographic ? c.xmag / c.ymag : c.aspect > 0 ? c.aspect : 4.0 / 3.0;
+  settings.height = static_cast<std::uint32_t>(std::max(1.0, std::round(settings.width / aspect)));
+  if (options.resolution) {
+    settings.width = static_cast<std::uint32_t>(options.resolution->width);
+    settings.height = static_cast<std::uint32_t>(options.resolution->height);
+  }
+  settings.crop = options.crop.value_or(Crop{0, 0, settings.width, settings.height});
+  if (settings.crop.x1 > settings.width || settings.crop.y1 > settings.height)
+    throw Error(ExitCode::usage, fmt::format("--crop reaches to {},{}, beyond the image's {}x{}", settings.crop.x1,
+                                             settings.crop.y1, settings.width, settings.height));
+}
+
+}  // namespace
+
+RenderSettings choose_settings(const RenderOptions& options, const Scene& scene, const World& world) {
+  RenderSettings settings;
+  settings.seed = options.seed;
+  settings.specular_bounces = options.specular_bounces;
+  settings.camera = find_camera(scene, options.camera);
+  choose_size(settings, options);
+  settings.photons = photon_budget(world, options.photons);
+  settings.first_radius = default_radii(world, settings.photons, pixel_footprint(world, settings));
+  if (options.radius) settings.first_radius.assign(settings.photons.size(), *options.radius);
+  return settings;
+}
+
+}  // namespace meniscal

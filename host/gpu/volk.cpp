@@ -1,0 +1,3 @@
+// volk's definitions, once.
+#define VOLK_IMPLEMENTATION
+#include <volk.h>

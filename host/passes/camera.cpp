@@ -1,0 +1,50 @@
+#include "host/passes/camera.h"
+
+#include "shaders/shaders.h"
+#include "shaders/shared/bindings.h"
+
+namespace meniscal::passes {
+namespace {
+
+gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables) {
+  std::vector<gpu::Binding> layout = tables.layout();
+  layout.push_back({BIND_OUTPUT, gpu::Kind::storage});
+  return {device, "camera", shader("camera", tables.texel), layout, sizeof(shared::CameraPush), tables.constants};
+}
+
+gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, const gpu::Buffer& samples) {
+  std::vector<gpu::Bound> bound = tables.bound();
+  bound.push_back({BIND_OUTPUT, samples});
+  return pass.bind(bound);
+}
+
+}  // namespace
+
+CameraPass::CameraPass(const gpu::Device& device, const SceneTables& tables, const gpu::Buffer& samples)
+    : pass_(make_pass(device, tables)), buffers_(bind(pass_, tables, samples)) {}
+
+void CameraPass::run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::uint32_t pass) {
+  const CameraAxes axes = camera_axes(settings.camera, settings.width, settings.height);
+  shared::CameraPush push{};
+  push.right = glm::vec4(axes.right, 0);
+  push.up = glm::vec4(axes.up, 0);
+  push.forward = glm::vec4(axes.forward, 0);
+  push.origin = glm::vec4(axes.origin, settings.camera.orthographic ? 1 : 0);
+  push.seed = settings.seed;
+  push.pass = pass;
+  push.width = settings.width;
+  push.height = settings.height;
+  push.crop_x = settings.crop.x0;
+  push.crop_y = settings.crop.y0;
+  push.crop_width = settings.crop.width();
+  push.light_first = world.light_first;
+  push.light_count = static_cast<std::uint32_t>(world.lights.size());
+  push.specular_bounces = settings.specular_bounces;
+  batch_.run(commands, static_cast<std::uint32_t>(settings.crop.pixels()), [&](std::uint32_t first, std::uint32_t count) {
+    push.first = first;
+    push.count = count;
+    commands.dispatch(pass_, buffers_, push, groups_of_64(count));
+  });
+}
+
+}  // namespace meniscal::passes

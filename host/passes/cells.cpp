@@ -1,0 +1,40 @@
+#include "host/passes/cells.h"
+
+#include "shaders/shaders.h"
+
+namespace meniscal::passes {
+namespace {
+
+std::vector<gpu::Binding> layout(bool texel) {
+  const gpu::Kind table = texel ? gpu::Kind::texel : gpu::Kind::storage;
+  return {{0, gpu::Kind::storage}, {1, gpu::Kind::storage}, {2, table}, {3, table}, {4, gpu::Kind::storage}, {5, gpu::Kind::storage}};
+}
+
+}  // namespace
+
+CellsPass::CellsPass(const gpu::Device& device, const PhotonBuffers& unsorted, const SortPass& sort, std::size_t capacity,
+                     bool texel)
+    : photons(device, "photon map", capacity * (sizeof(shared::PhotonPlace) + sizeof(shared::PhotonPower))),
+      cells(device, "grid cells", (std::size_t(make_grid(static_cast<std::uint32_t>(capacity), 1).mask) + 1) * 8),
+      pass_(device, "cells", shader("cells", texel), layout(texel), sizeof(shared::SortPush)),
+      even_(pass_.bind({{0, *sort.sorted(0).keys},
+                        {1, *sort.sorted(0).values},
+                        {2, unsorted.places, gpu::Format::rgba32ui},
+                        {3, unsorted.powers, gpu::Format::rgba32ui},
+                        {4, photons},
+                        {5, cells}})),
+      odd_(pass_.bind({{0, *sort.sorted(1).keys},
+                       {1, *sort.sorted(1).values},
+                       {2, unsorted.places, gpu::Format::rgba32ui},
+                       {3, unsorted.powers, gpu::Format::rgba32ui},
+                       {4, photons},
+                       {5, cells}})) {}
+
+void CellsPass::record(gpu::Commands& commands, std::uint32_t count, std::uint32_t digits) {
+  commands.fill(cells, 0);
+  commands.barrier();
+  commands.dispatch(pass_, digits % 2 == 0 ? even_ : odd_, shared::SortPush{count, 0, 0, 0}, groups_of_64(count));
+  commands.barrier();
+}
+
+}  // namespace meniscal::passes

@@ -1,0 +1,107 @@
+#include "host/passes/scene_tables.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "shaders/shared/bindings.h"
+
+namespace meniscal::passes {
+namespace {
+
+using Texel = glm::uvec4;  // 16 bytes as shaders/fetch.glsl reads them
+
+Texel pack(const glm::dvec3& v, std::uint32_t w) {
+  const glm::vec3 f(v);
+  return {std::bit_cast<std::uint32_t>(f.x), std::bit_cast<std::uint32_t>(f.y), std::bit_cast<std::uint32_t>(f.z), w};
+}
+
+std::vector<Texel> scene_texels(const World& world) {
+  std::vector<Texel> texels(4 * (world.bvh.nodes.size() + world.triangles.size()));
+  static_assert(sizeof(shared::BvhNode) == 4 * sizeof(Texel));
+  std::memcpy(texels.data(), world.bvh.nodes.data(), world.bvh.nodes.size() * sizeof(shared::BvhNode));
+  Texel* record = texels.data() + 4 * world.bvh.nodes.size();
+  for (const WorldTriangle& t : world.triangles) {
+    record[0] = pack(t.corner[0], t.material);
+    record[1] = pack(t.corner[1], t.meniscus ? 1 : 0);
+    record[2] = pack(t.corner[2], 0);
+    record[3] = pack(t.geometric, 0);  // computed in double: float corners of a small triangle would tilt it by degrees
+    record += 4;
+  }
+  return texels;
+}
+
+std::vector<Texel> normal_texels(const World& world) {
+  std::vector<Texel> texels;
+  texels.reserve(3 * world.triangles.size());
+  for (const WorldTriangle& t : world.triangles)
+    for (const glm::dvec3& n : t.normal) texels.push_back(pack(n, 0));
+  return texels;
+}
+
+template <class T>
+gpu::Buffer upload(const gpu::Device& device, const char* name, const std::vector<T>& values) {
+  gpu::Buffer buffer(device, name, values.size() * sizeof(T));
+  buffer.upload(values);
+  return buffer;
+}
+
+std::vector<std::uint32_t> scene_constants(const World& world) {
+  const auto any_light = [&](auto type) { return std::any_of(world.lights.begin(), world.lights.end(), type); };
+  const auto any_surface = [&](std::uint32_t kind) {
+    return std::any_of(world.surfaces.begin(), world.surfaces.end(), [&](const auto& s) { return s.kind == kind; });
+  };
+  using shared::Light;
+  return {
+      static_cast<std::uint32_t>(world.bvh.nodes.size()),
+      any_light([](const Light& l) { return l.type == shared::LIGHT_DIRECTIONAL; }),
+      any_light([](const Light& l) { return l.type == shared::LIGHT_POINT || l.type == shared::LIGHT_SPOT; }),
+      any_light([](const Light& l) { return l.type == shared::LIGHT_AREA; }),
+      any_surface(shared::SPECULAR_MIRROR),
+      any_surface(shared::SPECULAR_DIELECTRIC),
+      any_surface(shared::SPECULAR_THIN),
+      std::any_of(world.surfaces.begin(), world.surfaces.end(), [](const auto& s) { return s.absorption != glm::vec3(0); }),
+      std::bit_cast<std::uint32_t>(static_cast<float>(world.radius)),
+  };
+}
+
+}  // namespace
+
+SceneTables::SceneTables(const gpu::Device& device, const World& world, std::size_t largest_table)
+    : scene(upload(device, "scene", scene_texels(world))),
+      normals(upload(device, "normals", normal_texels(world))),
+      surfaces(upload(device, "surfaces", world.surfaces)),
+      lights(upload(device, "lights", world.lights)),
+      cdf(upload(device, "cdf", world.cdf)),
+      targets(upload(device, "targets", world.targets)),
+      counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
+      constants(scene_constants(world)),
+      texel(std::max(largest_table, scene.bytes() / sizeof(Texel)) <= device.limits().max_texel_elements) {}
+
+void SceneTables::collect_counters() {
+  const auto now = counters.download<std::uint32_t>();
+  for (std::size_t i = 0; i < now.size(); ++i) sums[i] += now[i];
+  counters.upload(std::vector<std::uint32_t>(shared::COUNTERS, 0));
+}
+
+std::vector<gpu::Binding> SceneTables::layout() const {
+  const gpu::Kind table = texel ? gpu::Kind::texel : gpu::Kind::storage;
+  return {{BIND_SCENE, table},
+          {BIND_NORMALS, table},
+          {BIND_SURFACES, gpu::Kind::storage},
+          {BIND_LIGHTS, gpu::Kind::storage},
+          {BIND_CDF, gpu::Kind::storage},
+          {BIND_TARGETS, gpu::Kind::storage},
+          {BIND_COUNTERS, gpu::Kind::storage}};
+}
+
+std::vector<gpu::Bound> SceneTables::bound() const {
+  return {{BIND_SCENE, scene, gpu::Format::rgba32ui},
+          {BIND_NORMALS, normals, gpu::Format::rgba32ui},
+          {BIND_SURFACES, surfaces},
+          {BIND_LIGHTS, lights},
+          {BIND_CDF, cdf},
+          {BIND_TARGETS, targets},
+          {BIND_COUNTERS, counters}};
+}
+
+}  // namespace meniscal::passes

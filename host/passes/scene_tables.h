@@ -1,0 +1,25 @@
+// The world's tables on the GPU: shaders/scene.glsl reads them in every pass that traces rays.
+#pragma once
+
+#include "host/gpu/commands.h"
+#include "host/world/world.h"
+
+namespace meniscal::passes {
+
+struct SceneTables {
+  gpu::Buffer scene, normals, surfaces, lights, cdf, targets, counters;
+  std::vector<std::uint32_t> constants;  // specialisation constants of scene.glsl, in order of their ids
+  bool texel;                            // tables are read through texel buffers: how shaders are to be compiled
+
+  // `largest_table`: 16-byte elements of the largest other table that shaders will read; decides `texel`.
+  SceneTables(const gpu::Device& device, const World& world, std::size_t largest_table);
+
+  // Adds the GPU's 32-bit counters to `sums` and clears them: once a pass, before they run over.
+  void collect_counters();
+  std::array<std::uint64_t, shared::COUNTERS> sums{};  // by shared::COUNTER_*
+
+  std::vector<gpu::Binding> layout() const;  // of bindings 0 to BIND_OUTPUT - 1
+  std::vector<gpu::Bound> bound() const;
+};
+
+}  // namespace meniscal::passes

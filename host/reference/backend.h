@@ -1,0 +1,26 @@
+// The reference path as a backend: serial, double precision, naive.
+#pragma once
+
+#include "host/reference/photons.h"
+#include "host/render/backend.h"
+
+namespace meniscal::reference {
+
+class ReferenceBackend final : public Backend {
+ public:
+  ReferenceBackend(const World& world, RenderSettings settings)
+      : world_(world), settings_(std::move(settings)), tracer_(world) {}
+
+  PassResult render_pass(std::uint32_t pass) override;
+  std::vector<PhotonEnd> trace_photons(std::size_t stratum, std::uint32_t pass) override;
+  Statistics statistics() const override;
+
+ private:
+  std::vector<Photon> photons(std::size_t stratum, std::uint32_t pass) const;
+
+  const World& world_;
+  RenderSettings settings_;
+  Tracer tracer_;
+};
+
+}  // namespace meniscal::reference

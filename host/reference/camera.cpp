@@ -1,0 +1,70 @@
+#include "host/reference/camera.h"
+
+#include <glm/gtc/constants.hpp>
+#include <limits>
+
+namespace meniscal::reference {
+namespace {
+
+Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const shared::RandomKey& key, std::uint32_t x,
+                std::uint32_t y) {
+  const double px = 2 * (x + double(shared::random_unit(key, 0))) / settings.width - 1;
+  const double py = 1 - 2 * (y + double(shared::random_unit(key, 1))) / settings.height;
+  const glm::dvec3 offset = px * axes.right + py * axes.up;
+  if (settings.camera.orthographic) return {{axes.origin + offset, axes.forward}};
+  return {{axes.origin, glm::normalize(axes.forward + offset)}};
+}
+
+glm::dvec3 direct_irradiance(const Tracer& tracer, const Hit& hit, const glm::dvec3& side, const glm::dvec3& shading,
+                             const shared::RandomKey& key) {
+  if (tracer.world().lights.empty()) return glm::dvec3(0);
+  const LightSample light = sample_light(tracer.world(), hit.point, key);
+  const double cosine = glm::dot(light.direction, shading);
+  if (cosine <= 0 || glm::dot(light.direction, side) <= 0 || light.irradiance == glm::dvec3(0)) return glm::dvec3(0);
+  return visible(tracer, hit.point, hit.triangle, side, light) ? light.irradiance * cosine : glm::dvec3(0);
+}
+
+}  // namespace
+
+shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings& settings, const CameraAxes& axes,
+                                      std::uint32_t pass, std::uint32_t x, std::uint32_t y) {
+  const World& world = tracer.world();
+  const shared::RandomKey key{settings.seed, pass, shared::STREAM_CAMERA, y * settings.width + x};
+  Path path = camera_ray(settings, axes, key, x, y);
+  shared::PixelSample sample{};
+  sample.triangle = shared::END_CUT;
+  glm::dvec3 emitted(0);
+  for (std::uint32_t bounce = 0; bounce <= settings.specular_bounces; ++bounce) {
+    const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
+    if (!hit) {
+      sample.triangle = shared::END_ESCAPED;
+      break;
+    }
+    absorb(path, hit->t);
+    const WorldTriangle& triangle = world.triangles[hit->triangle];
+    const shared::Surface& surface = world.surfaces[triangle.material];
+    const bool front = glm::dot(triangle.geometric, path.ray.direction) < 0;
+    if (bounce == 0) {
+      sample.depth = static_cast<float>(hit->t);
+      sample.meniscus = triangle.meniscus ? 1.0f : 0.0f;
+    }
+    const glm::dvec3 throughput = path.throughput * path.radiance_scale;
+    if (front || surface.double_sided) emitted += throughput * glm::dvec3(surface.emission);
+    const std::uint32_t dimension = shared::DIM_FIRST_BOUNCE + shared::BOUNCE_DIMENSIONS * bounce;
+    if (double(shared::random_unit(key, dimension)) >= double(surface.specular)) {
+      const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
+      sample.position = glm::vec3(hit->point);
+      sample.normal = glm::vec3(side);
+      sample.albedo = surface.albedo;
+      sample.triangle = hit->triangle;
+      sample.weight = glm::vec3(throughput * glm::dvec3(surface.albedo) * glm::one_over_pi<double>());
+      sample.direct = glm::vec3(direct_irradiance(tracer, *hit, side, front ? hit->shading : -hit->shading, key));
+      break;
+    }
+    scatter_specular(path, *hit, tracer, double(shared::random_unit(key, dimension + 1)));
+  }
+  sample.emitted = glm::vec3(emitted);
+  return sample;
+}
+
+}  // namespace meniscal::reference

@@ -1,0 +1,29 @@
+// Irradiance from photons: the specification of shaders/gather.comp.
+#pragma once
+
+#include <span>
+#include <unordered_map>
+
+#include "host/reference/photons.h"
+
+namespace meniscal::reference {
+
+struct Density {
+  glm::dvec3 irradiance{0};
+  int photons = 0;
+};
+
+// Photons of one map in cells of two radii.
+class PhotonMap {
+ public:
+  PhotonMap(std::span<const Photon> photons, double radius);
+  // Sum of flux K(distance / radius) / radius^2 over the photons round a point of a surface with this normal.
+  Density estimate(const glm::dvec3& position, const glm::dvec3& normal) const;
+
+ private:
+  static std::uint64_t key(const glm::i64vec3& cell);
+  double radius_;
+  std::unordered_map<std::uint64_t, std::vector<const Photon*>> cells_;
+};
+
+}  // namespace meniscal::reference

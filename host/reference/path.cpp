@@ -1,0 +1,98 @@
+#include "host/reference/path.h"
+
+#include <limits>
+
+#include "host/reference/optics.h"
+
+namespace meniscal::reference {
+
+void scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random) {
+  const World& world = tracer.world();
+  const WorldTriangle& triangle = world.triangles[hit.triangle];
+  const shared::Surface& surface = world.surfaces[triangle.material];
+  const glm::dvec3 arrival = path.ray.direction;
+  const bool front = glm::dot(arrival, triangle.geometric) < 0;
+  const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
+  glm::dvec3 normal = front ? hit.shading : -hit.shading;
+  if (glm::dot(arrival, normal) >= 0) normal = side;
+  const double cosine = -glm::dot(arrival, normal);
+  const double ior = double(surface.ior);
+
+  bool reflected = true;
+  switch (surface.kind) {
+    case shared::SPECULAR_DIELECTRIC: {
+      const double eta = front ? 1 / ior : ior;
+      reflected = random < fresnel_reflectance(cosine, eta);
+      if (!reflected && glm::dot(refract(arrival, normal, eta), side) >= 0) {
+        normal = side;
+        reflected = refracted_cosine(-glm::dot(arrival, side), eta) < 0;
+      }
+      if (reflected) break;
+      path.ray.direction = refract(arrival, normal, eta);
+      path.throughput *= glm::dvec3(surface.tint);
+      path.radiance_scale *= eta * eta;
+      path.absorption = front ? glm::dvec3(surface.absorption) : glm::dvec3(0);
+      break;
+    }
+    case shared::SPECULAR_THIN:
+      reflected = random < sheet_reflectance(cosine, ior);
+      if (!reflected) path.throughput *= glm::dvec3(surface.tint);
+      break;
+    default:
+      path.throughput *= glm::dvec3(surface.tint);
+  }
+  if (reflected) {
+    path.ray.direction = reflect(arrival, normal);
+    if (glm::dot(path.ray.direction, side) <= 0) path.ray.direction = reflect(arrival, side);
+  }
+  path.ray.direction = glm::normalize(path.ray.direction);
+  path.ray.origin = tracer.leave(hit.point, reflected ? side : -side);
+  path.triangle = hit.triangle;
+}
+
+void absorb(Path& path, double distance) { path.throughput *= glm::exp(-path.absorption * distance); }
+
+LightSample sample_light(const World& world, const glm::dvec3& point, const shared::RandomKey& key) {
+  const Picked picked =
+      pick(world.cdf, world.light_first, world.lights.size(), shared::random_bits(key, shared::DIM_LIGHT));
+  const shared::Light& light = world.lights[picked.index];
+  const glm::dvec3 axis(light.direction);
+  LightSample s{-axis, std::numeric_limits<double>::infinity(),
+                glm::dvec3(light.intensity) / double(light.probability), no_triangle};
+  if (light.type == shared::LIGHT_DIRECTIONAL) return s;
+
+  glm::dvec3 on_light(light.position);
+  if (light.type == shared::LIGHT_AREA) {
+    const double root = std::sqrt(double(shared::random_unit(key, shared::DIM_LIGHT_U)));
+    const double v = root * double(shared::random_unit(key, shared::DIM_LIGHT_V));
+    on_light += (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2);
+    s.triangle = light.triangle;
+  }
+  s.distance = glm::length(on_light - point);
+  s.direction = (on_light - point) / s.distance;
+  s.irradiance /= s.distance * s.distance;
+  const double cosine = -glm::dot(s.direction, axis);
+  if (light.type == shared::LIGHT_AREA)
+    s.irradiance *= double(light.area) * (light.double_sided ? std::abs(cosine) : std::max(cosine, 0.0));
+  if (light.type == shared::LIGHT_SPOT) {
+    const double falloff = std::clamp((double(light.cone_versine) - (1 - cosine)) * double(light.cone_scale), 0.0, 1.0);
+    s.irradiance *= falloff * falloff;
+  }
+  return s;
+}
+
+bool visible(const Tracer& tracer, const glm::dvec3& point, std::uint32_t triangle, const glm::dvec3& side,
+             const LightSample& light) {
+  const double reach = light.triangle == no_triangle ? light.distance : light.distance * (1 - 1e-5);
+  return !tracer.blocked({tracer.leave(point, side), light.direction}, reach, triangle);
+}
+
+Picked pick(const std::vector<std::uint32_t>& cdf, std::uint32_t first, std::size_t count, std::uint32_t bits) {
+  const auto begin = cdf.begin() + first, end = begin + static_cast<std::ptrdiff_t>(count);
+  auto entry = std::upper_bound(begin, end, bits);
+  if (entry == end) --entry;
+  const double start = entry == begin ? 0 : double(*(entry - 1));
+  return {static_cast<std::uint32_t>(entry - begin), std::min((bits - start) / (*entry - start), 1 - 1e-9)};
+}
+
+}  // namespace meniscal::reference

@@ -1,0 +1,75 @@
+// Who computes a pass: the GPU or the reference path. Both answer alike, photon by photon.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "host/render/settings.h"
+
+namespace meniscal {
+
+// How the photons of one stratum ended in one or more passes. Fluxes are means over the colour channels.
+struct Tally {
+  std::uint64_t started = 0, kept = 0, visible = 0, stored = 0;  // kept: survived the cosine's roulette
+  double flux_in = 0, flux_escaped = 0, flux_cut = 0;
+  std::vector<double> flux_landed;                               // by material
+
+  // One photon: flux as it met its target, flux and end as it ended. `material`: uint32_t triangle -> material.
+  template <class MaterialOf>
+  void count(double entered, double flux, std::uint32_t end, const MaterialOf& material_of) {
+    ++started;
+    if (end == shared::END_DROPPED) return;
+    ++kept;
+    if (end == shared::END_BLOCKED) return;
+    ++visible;
+    flux_in += entered;
+    if (end == shared::END_ESCAPED) flux_escaped += flux;
+    else if (end == shared::END_CUT) flux_cut += flux;
+    else {
+      ++stored;
+      flux_landed[material_of(end)] += flux;
+    }
+  }
+  void add(const Tally& other) {
+    started += other.started, kept += other.kept, visible += other.visible, stored += other.stored;
+    flux_in += other.flux_in, flux_escaped += other.flux_escaped, flux_cut += other.flux_cut;
+    for (std::size_t i = 0; i < flux_landed.size(); ++i) flux_landed[i] += other.flux_landed[i];
+  }
+};
+
+template <class Colour>
+double mean_of(const Colour& c) {
+  return (double(c.x) + double(c.y) + double(c.z)) / 3;
+}
+
+// One pass, as both backends give it.
+struct PassResult {
+  std::vector<shared::PixelSample> samples;  // of the crop, row by row
+  std::vector<Tally> tallies;                // by stratum
+};
+
+// The end of a started photon.
+struct PhotonEnd {
+  glm::dvec3 position, flux;
+  std::uint32_t end;
+};
+
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual PassResult render_pass(std::uint32_t pass) = 0;
+  // Ends of all photons that a stratum starts in a pass: for replaying them elsewhere.
+  virtual std::vector<PhotonEnd> trace_photons(std::size_t stratum, std::uint32_t pass) = 0;
+
+  struct Statistics {
+    std::string device_name, device_type, driver;
+    std::map<std::string, double> seconds{};  // by stage: upload, compile, photons, camera, grid, gather
+    std::size_t bytes_peak = 0;               // device memory
+    std::uint64_t rays = 0;
+    std::uint64_t traversal_limits = 0;       // rays that were cut short: must be 0
+  };
+  virtual Statistics statistics() const = 0;
+};
+
+}  // namespace meniscal

@@ -1,0 +1,130 @@
+#include "host/render/film.h"
+
+#include <algorithm>
+#include <functional>
+#include <glm/gtc/constants.hpp>
+
+namespace meniscal {
+namespace {
+
+using shared::PixelSample;
+
+// What a layer keeps of a sample: up to three numbers.
+struct Aov {
+  std::string name;
+  std::vector<std::string> channels;
+  std::function<glm::dvec3(const PixelSample&, const MapScale&)> value;
+};
+
+const std::vector<std::string> rgb{"R", "G", "B"}, xyz{"X", "Y", "Z"};
+
+glm::dvec3 weighted(const PixelSample& s, const glm::vec3& irradiance, double scale) {
+  return glm::dvec3(s.weight) * glm::dvec3(irradiance) * scale;
+}
+
+const std::vector<Aov>& all_aovs() {
+  static const std::vector<Aov> aovs = {
+      {"direct", rgb, [](const PixelSample& s, const MapScale&) { return weighted(s, s.direct, 1); }},
+      {"targeted", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.targeted, m.targeted); }},
+      {"caustic", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.caustic, m.caustic); }},
+      // Interreflection is not computed yet: the layer is there, and black.
+      {"global", rgb, [](const PixelSample&, const MapScale&) { return glm::dvec3(0); }},
+      {"irradiance", rgb,
+       [](const PixelSample& s, const MapScale& m) {
+         return glm::dvec3(s.direct) + glm::dvec3(s.targeted) * m.targeted + glm::dvec3(s.caustic) * m.caustic;
+       }},
+      {"albedo", rgb, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.albedo); }},
+      {"normal", xyz, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.normal); }},
+      {"depth", {"Z"}, [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.depth)); }},
+      {"position", xyz, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.position); }},
+      {"meniscus", {"Y"}, [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.meniscus)); }},
+      {"density", {"Y"},
+       [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.targeted_count + s.caustic_count)); }},
+      {"variance", rgb, [](const PixelSample&, const MapScale&) { return glm::dvec3(0); }},
+  };
+  return aovs;
+}
+
+}  // namespace
+
+const std::vector<std::string>& aov_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const Aov& a : all_aovs()) list.push_back(a.name);
+    return list;
+  }();
+  return names;
+}
+
+Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale)
+    : crop_(crop), scale_(scale), beauty_(crop.pixels()), squares_(crop.pixels()) {
+  for (const Aov& a : all_aovs())
+    if (std::find(aovs.begin(), aovs.end(), a.name) != aovs.end())
+      aovs_.push_back({a.name, a.channels, std::vector<double>(crop.pixels() * a.channels.size())});
+}
+
+void Film::add(const std::vector<PixelSample>& samples) {
+  ++passes_;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const PixelSample& s = samples[i];
+    const glm::dvec3 radiance = glm::dvec3(s.emitted) + weighted(s, s.direct, 1) +
+                                weighted(s, s.targeted, scale_.targeted) + weighted(s, s.caustic, scale_.caustic);
+    beauty_[i] += radiance;
+    squares_[i] += radiance * radiance;
+  }
+  for (Sum& sum : aovs_) {
+    const auto aov = std::find_if(all_aovs().begin(), all_aovs().end(), [&](const Aov& a) { return a.name == sum.name; });
+    const std::size_t channels = sum.channels.size();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const glm::dvec3 value = aov->value(samples[i], scale_);
+      for (std::size_t c = 0; c < channels; ++c) sum.values[i * channels + c] += value[static_cast<int>(c)];
+    }
+  }
+}
+
+glm::dvec3 Film::variance(std::size_t pixel) const {
+  if (passes_ < 2) return glm::dvec3(0);
+  const double n = passes_;
+  const glm::dvec3 mean = beauty_[pixel] / n;
+  return glm::max((squares_[pixel] / n - mean * mean) / (n - 1), glm::dvec3(0));
+}
+
+Image Film::image(std::uint32_t full_width, std::uint32_t full_height) const {
+  Image image;
+  image.width = static_cast<int>(crop_.width());
+  image.height = static_cast<int>(crop_.height());
+  image.x0 = static_cast<int>(crop_.x0);
+  image.y0 = static_cast<int>(crop_.y0);
+  image.full_width = static_cast<int>(full_width);
+  image.full_height = static_cast<int>(full_height);
+  const double scale = passes_ > 0 ? 1.0 / passes_ : 0;
+
+  Layer beauty{"", rgb, {}};
+  for (const glm::dvec3& sum : beauty_)
+    for (int c = 0; c < 3; ++c) beauty.pixels.push_back(static_cast<float>(sum[c] * scale));
+  image.layers.push_back(std::move(beauty));
+  for (const Sum& sum : aovs_) {
+    Layer layer{sum.name, sum.channels, {}};
+    if (sum.name == "variance") {
+      for (std::size_t i = 0; i < beauty_.size(); ++i)
+        for (int c = 0; c < 3; ++c) layer.pixels.push_back(static_cast<float>(variance(i)[c]));
+    } else {
+      for (double v : sum.values) layer.pixels.push_back(static_cast<float>(v * scale));
+    }
+    image.layers.push_back(std::move(layer));
+  }
+  return image;
+}
+
+double Film::error_estimate() const {
+  if (passes_ < 2) return -1;
+  double variances = 0, squares = 0;
+  for (std::size_t i = 0; i < beauty_.size(); ++i) {
+    const glm::dvec3 mean = beauty_[i] / double(passes_);
+    variances += mean_of(variance(i));
+    squares += mean_of(mean * mean);
+  }
+  return squares > 0 ? std::sqrt(variances / squares) : 0;
+}
+
+}  // namespace meniscal

@@ -1,0 +1,48 @@
+// Sums of passes, and the picture made of them.
+#pragma once
+
+#include <set>
+
+#include "host/image/layers.h"
+#include "host/render/backend.h"
+
+namespace meniscal {
+
+// User's factors on what the maps contribute.
+struct MapScale {
+  double targeted = 1, caustic = 1, global = 1;
+};
+
+// Names of the layers that `Film` can make beside the beauty, in the order in which they are written.
+const std::vector<std::string>& aov_names();
+
+class Film {
+ public:
+  // `aovs`: of aov_names(). Nothing is kept for a layer that is not asked for.
+  Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale);
+
+  void add(const std::vector<shared::PixelSample>& samples);
+  std::uint32_t passes() const { return passes_; }
+
+  // Means over the passes: the beauty and the layers asked for. `variance` is that of the mean, per channel, from the spread of the passes; 0 while there is but one.
+  Image image(std::uint32_t full_width, std::uint32_t full_height) const;
+
+  // Relative standard error of the image: sqrt(sum of variances / sum of squares) over all pixels; negative for fewer than two passes.
+  double error_estimate() const;
+
+ private:
+  struct Sum {
+    std::string name;
+    std::vector<std::string> channels;
+    std::vector<double> values;
+  };
+  glm::dvec3 variance(std::size_t pixel) const;
+
+  Crop crop_;
+  MapScale scale_;
+  std::uint32_t passes_ = 0;
+  std::vector<glm::dvec3> beauty_, squares_;
+  std::vector<Sum> aovs_;
+};
+
+}  // namespace meniscal

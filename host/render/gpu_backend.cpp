@@ -1,0 +1,130 @@
+#include "host/render/gpu_backend.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "host/passes/camera.h"
+#include "host/passes/gather.h"
+
+namespace meniscal {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::size_t most_photons(const RenderSettings& settings) {
+  return settings.photons.empty() ? 0 : *std::max_element(settings.photons.begin(), settings.photons.end());
+}
+
+// Everything that photon maps need; not made for a scene without specular surfaces or lights.
+struct MapPasses {
+  passes::PhotonBuffers photons;
+  passes::PhotonPass trace;
+  passes::SortPass sort;
+  passes::CellsPass cells;
+  passes::GatherPass gather;
+
+  MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const gpu::Buffer& samples, std::size_t capacity)
+      : photons(device, capacity),
+        trace(device, tables, photons),
+        sort(device, photons.keys, capacity),
+        cells(device, photons, sort, capacity, tables.texel),
+        gather(device, cells, samples, tables.texel) {}
+};
+
+}  // namespace
+
+struct GpuBackend::Passes {
+  gpu::Device device;
+  const World& world;
+  RenderSettings settings;
+  gpu::Commands commands;
+  Clock::time_point start = Clock::now();
+  passes::SceneTables tables;
+  double upload_seconds = seconds_since(start), compile_seconds;
+  gpu::Buffer samples;
+  passes::CameraPass camera;
+  std::optional<MapPasses> maps;
+
+  Passes(gpu::Device d, const World& w, RenderSettings s)
+      : device(std::move(d)),
+        world(w),
+        settings(std::move(s)),
+        commands(device),
+        tables(device, world, 2 * most_photons(settings)),
+        samples(device, "pixel samples", settings.crop.pixels() * sizeof(shared::PixelSample)),
+        camera(device, tables, samples) {
+    if (most_photons(settings) > 0) maps.emplace(device, tables, samples, most_photons(settings));
+    compile_seconds = seconds_since(start) - upload_seconds;
+  }
+
+  // By the stages of interface: seconds of "photons", "grid", "gather", and of set-up.
+  std::map<std::string, double> seconds() const {
+    static const std::map<std::string, std::string> stage = {{"photons", "photons"}, {"camera", "camera"}, {"gather", "gather"}};
+    std::map<std::string, double> sums = {{"upload", upload_seconds}, {"compile", compile_seconds}};
+    for (const auto& [pass, time] : commands.seconds_by_pass())
+      sums[stage.contains(pass) ? stage.at(pass) : "grid"] += time;
+    return sums;
+  }
+
+  Tally tally(std::size_t stratum) const {
+    const std::uint32_t started = settings.photons[stratum];
+    const auto powers = maps->photons.powers.download<shared::PhotonPower>(0, started);
+    const auto entered = maps->photons.entered.download<float>(0, started);
+    Tally tally;
+    tally.flux_landed.resize(world.surfaces.size());
+    for (std::uint32_t i = 0; i < started; ++i)
+      tally.count(double(entered[i]), mean_of(powers[i].flux), powers[i].end,
+                  [&](std::uint32_t triangle) { return world.triangles[triangle].material; });
+    return tally;
+  }
+};
+
+GpuBackend::GpuBackend(gpu::Device device, const World& world, RenderSettings settings)
+    : passes_(std::make_unique<Passes>(std::move(device), world, std::move(settings))) {}
+GpuBackend::~GpuBackend() = default;
+
+PassResult GpuBackend::render_pass(std::uint32_t pass) {
+  Passes& p = *passes_;
+  p.camera.run(p.commands, p.world, p.settings, pass);
+  PassResult result;
+  for (std::size_t s = 0; s < p.settings.photons.size(); ++s) {
+    const std::uint32_t count = p.settings.photons[s];
+    result.tallies.emplace_back().flux_landed.resize(p.world.surfaces.size());
+    if (count == 0) continue;
+    const double radius = pass_radius(p.settings.first_radius[s], pass);
+    const passes::Grid grid = passes::make_grid(count, radius);
+    const std::uint32_t digits = grid.mask < (1u << 13) ? 2 : 3;
+    p.maps->trace.run(p.commands, p.world, p.settings, s, pass, grid);
+    p.maps->sort.record(p.commands, count, digits);
+    p.maps->cells.record(p.commands, count, digits);
+    p.maps->gather.run(p.commands, static_cast<std::uint32_t>(p.settings.crop.pixels()), grid, radius,
+                       p.world.strata[s].stream);
+    result.tallies.back() = p.tally(s);
+  }
+  p.tables.collect_counters();
+  result.samples = p.samples.download<shared::PixelSample>();
+  return result;
+}
+
+std::vector<PhotonEnd> GpuBackend::trace_photons(std::size_t stratum, std::uint32_t pass) {
+  Passes& p = *passes_;
+  const std::uint32_t count = p.settings.photons[stratum];
+  p.maps->trace.run(p.commands, p.world, p.settings, stratum, pass, passes::make_grid(count, 1));
+  const auto places = p.maps->photons.places.download<shared::PhotonPlace>(0, count);
+  const auto powers = p.maps->photons.powers.download<shared::PhotonPower>(0, count);
+  std::vector<PhotonEnd> ends;
+  for (std::uint32_t i = 0; i < count; ++i)
+    ends.push_back({glm::dvec3(places[i].position), glm::dvec3(powers[i].flux), powers[i].end});
+  return ends;
+}
+
+Backend::Statistics GpuBackend::statistics() const {
+  const Passes& p = *passes_;
+  const gpu::DeviceInfo& info = p.device.info();
+  return {info.name, info.type, info.driver, p.seconds(), p.device.bytes_peak(),
+          p.tables.sums[shared::COUNTER_RAYS], p.tables.sums[shared::COUNTER_TRAVERSAL_LIMIT]};
+}
+
+}  // namespace meniscal

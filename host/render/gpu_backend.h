@@ -1,0 +1,26 @@
+// The Vulkan passes as a backend.
+#pragma once
+
+#include <memory>
+
+#include "host/gpu/device.h"
+#include "host/render/backend.h"
+
+namespace meniscal {
+
+class GpuBackend final : public Backend {
+ public:
+  // `world` must outlive the backend. Throws Error(ExitCode::device) when the device cannot hold or run it.
+  GpuBackend(gpu::Device device, const World& world, RenderSettings settings);
+  ~GpuBackend() override;
+
+  PassResult render_pass(std::uint32_t pass) override;
+  std::vector<PhotonEnd> trace_photons(std::size_t stratum, std::uint32_t pass) override;
+  Statistics statistics() const override;
+
+ private:
+  struct Passes;
+  std::unique_ptr<Passes> passes_;
+};
+
+}  // namespace meniscal

@@ -1,0 +1,74 @@
+#include "host/render/plan.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
+
+namespace meniscal {
+namespace {
+
+std::size_t count_surfaces(const World& world, std::uint32_t kind) {
+  return std::count_if(world.surfaces.begin(), world.surfaces.end(), [&](const auto& s) { return s.kind == kind; });
+}
+template <class Type>
+std::size_t count_lights(const World& world, Type type) {
+  return std::count_if(world.lights.begin(), world.lights.end(), type);
+}
+
+PlanEntry counted(const std::string& feature, std::size_t count, const std::string& what) {
+  return {feature, count > 0, count > 0 ? fmt::format("{} {}", count, what) : fmt::format("no {}", what)};
+}
+
+const Stratum* find_stratum(const World& world, const std::string& name) {
+  for (const Stratum& s : world.strata)
+    if (s.name == name) return &s;
+  return nullptr;
+}
+
+}  // namespace
+
+Plan make_plan(const World& world) {
+  std::size_t contacts = 0;
+  for (const LiquidReport& l : world.liquids) contacts += l.contacts.size();
+  Plan plan;
+  plan.push_back(counted("menisci", contacts, "liquid-solid contacts"));
+  for (const char* map : {"targeted", "caustic"}) {
+    const Stratum* s = find_stratum(world, map);
+    PlanEntry entry = counted(std::string(map) + " map", s ? s->count : 0,
+                              map == std::string("targeted") ? "meniscus triangles" : "other specular triangles");
+    if (entry.on && world.lights.empty()) entry = {entry.feature, false, "no light"};
+    plan.push_back(entry);
+  }
+  using shared::Light;
+  plan.push_back(counted("directional lights", count_lights(world, [](const Light& l) { return l.type == shared::LIGHT_DIRECTIONAL; }), "directional lights"));
+  plan.push_back(counted("point and spot lights", count_lights(world, [](const Light& l) { return l.type == shared::LIGHT_POINT || l.type == shared::LIGHT_SPOT; }), "point or spot lights"));
+  plan.push_back(counted("area lights", count_lights(world, [](const Light& l) { return l.type == shared::LIGHT_AREA; }), "emissive triangles"));
+  plan.push_back(counted("refraction", count_surfaces(world, shared::SPECULAR_DIELECTRIC), "refracting materials"));
+  plan.push_back(counted("thin sheets", count_surfaces(world, shared::SPECULAR_THIN), "thin-walled materials"));
+  plan.push_back(counted("mirrors", count_surfaces(world, shared::SPECULAR_MIRROR), "smooth metals"));
+  plan.push_back(counted("absorption", std::count_if(world.surfaces.begin(), world.surfaces.end(), [](const auto& s) { return s.absorption != glm::vec3(0); }), "absorbing volumes"));
+  return plan;
+}
+
+std::vector<std::uint32_t> photon_budget(const World& world, std::uint32_t photons) {
+  std::vector<std::uint32_t> budget;
+  std::uint32_t left = world.lights.empty() ? 0 : photons;
+  for (std::size_t i = 0; i < world.strata.size(); ++i) {
+    const std::uint32_t share = left / static_cast<std::uint32_t>(world.strata.size() - i);
+    budget.push_back(share);
+    left -= share;
+  }
+  return budget;
+}
+
+std::vector<double> default_radii(const World& world, const std::vector<std::uint32_t>& photons, double footprint) {
+  constexpr double wanted_photons = 30;
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < world.strata.size(); ++i) {
+    const double area = world.strata[i].area * wanted_photons / std::max(photons[i], 1u);
+    radii.push_back(std::clamp(std::sqrt(area / glm::pi<double>()), footprint, 16 * footprint));
+  }
+  return radii;
+}
+
+}  // namespace meniscal

@@ -1,0 +1,107 @@
+#include "host/render/statistics.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace meniscal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json plan_json(const World& world) {
+  Json entries = Json::array();
+  for (const PlanEntry& e : make_plan(world)) entries.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
+  return entries;
+}
+
+Json meniscus_json(const World& world, MeniscusModel model) {
+  std::size_t contours = 0, triangles = 0;
+  double low = 0, high = 0;
+  for (const LiquidReport& l : world.liquids) {
+    triangles += l.triangles;
+    for (const meniscus::Contact& c : l.contacts) {
+      low = contours == 0 ? c.rise_min : std::min(low, c.rise_min);
+      high = contours == 0 ? c.rise_max : std::max(high, c.rise_max);
+      ++contours;
+    }
+  }
+  return {{"model", model == MeniscusModel::none ? "none" : "paper"},
+          {"contours", contours},
+          {"triangles", triangles},
+          {"rise_min_m", low},
+          {"rise_max_m", high},
+          {"seconds", world.meniscus_seconds},
+          {"warnings", world.warnings}};
+}
+
+// Fluxes are those of the light itself: means over the passes, each of which estimates the whole.
+Json tally_json(const World& world, const Tally& t, std::uint32_t passes) {
+  const double scale = passes > 0 ? 1.0 / passes : 0;
+  Json landed = Json::object();
+  for (std::size_t i = 0; i < t.flux_landed.size(); ++i) {
+    if (t.flux_landed[i] == 0) continue;
+    const double before = landed.value(world.material_names[i], 0.0);  // materials may share a name
+    landed[world.material_names[i]] = before + t.flux_landed[i] * scale;
+  }
+  return {{"started", t.started},
+          {"kept", t.kept},
+          {"visible", t.visible},
+          {"stored", t.stored},
+          {"flux_in", t.flux_in * scale},
+          {"flux_landed", landed},
+          {"flux_escaped", t.flux_escaped * scale},
+          {"flux_cut", t.flux_cut * scale}};
+}
+
+Json photons_json(const World& world, const RunStatistics& run, std::uint32_t passes) {
+  Json maps = Json::object();
+  std::uint64_t started = 0, stored = 0;
+  for (std::size_t i = 0; i < run.tallies.size(); ++i) {
+    maps[world.strata[i].name] = tally_json(world, run.tallies[i], passes);
+    started += run.tallies[i].started;
+    stored += run.tallies[i].stored;
+  }
+  Json photons = {{"started", started}, {"stored", stored}};
+  photons.update(maps);
+  return photons;
+}
+
+Json radius_json(const RenderSettings& settings, const PassRange& passes) {
+  if (settings.first_radius.empty() || passes.last == passes.first) return Json::array();
+  // Of the map with the widest radius.
+  const double first = *std::max_element(settings.first_radius.begin(), settings.first_radius.end());
+  return {pass_radius(first, passes.first), pass_radius(first, passes.last - 1)};
+}
+
+std::size_t host_peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::size_t(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace
+
+Json statistics_json(const World& world, const RenderSettings& settings, MeniscusModel model, const RunStatistics& run) {
+  std::map<std::string, double> seconds = run.seconds;
+  seconds.merge(std::map(run.backend.seconds));
+  seconds["meniscus"] = world.meniscus_seconds;
+  seconds["bvh"] = world.bvh_seconds;
+  const std::uint32_t passes = run.passes.last - run.passes.first;
+  return {{"device",
+           {{"name", run.backend.device_name}, {"type", run.backend.device_type}, {"driver", run.backend.driver}}},
+          {"plan", plan_json(world)},
+          {"meniscus", meniscus_json(world, model)},
+          {"triangles", world.triangles.size()},
+          {"photons", photons_json(world, run, passes)},
+          {"passes", passes},
+          {"radius_m", radius_json(settings, run.passes)},
+          {"error_estimate", run.error_estimate < 0 ? Json() : Json(run.error_estimate)},
+          {"seconds", seconds},
+          {"rays", run.backend.rays},
+          {"rays_cut_short", run.backend.traversal_limits},
+          {"bytes", {{"device_peak", run.backend.bytes_peak}, {"host_peak", host_peak_bytes()}}}};
+}
+
+}  // namespace meniscal

@@ -1,0 +1,24 @@
+// The statistics of a render, as interface lays them down.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "host/render/backend.h"
+#include "host/render/film.h"
+#include "host/render/plan.h"
+#include "host/render/progressive.h"
+
+namespace meniscal {
+
+struct RunStatistics {
+  Backend::Statistics backend;
+  std::vector<Tally> tallies;              // sums over the passes, by stratum of the world
+  PassRange passes;                        // that were rendered
+  double error_estimate = -1;              // negative: unknown
+  std::map<std::string, double> seconds;   // of the host's stages: load, write, total
+};
+
+nlohmann::ordered_json statistics_json(const World& world, const RenderSettings& settings, MeniscusModel model,
+                                       const RunStatistics& run);
+
+}  // namespace meniscal

@@ -1,0 +1,120 @@
+// load_gltf: guard -> schema -> tinygltf -> validate -> plain values.
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host/scene/extras.h"
+#include "host/scene/guard.h"
+#include "host/scene/materials.h"
+#include "host/scene/meshes.h"
+#include "host/scene/messages.h"
+#include "host/scene/objects.h"
+#include "host/scene/placement.h"
+#include "host/scene/scene.h"
+#include "host/scene/schema.h"
+#include "host/scene/validate.h"
+
+namespace meniscal {
+namespace gltf {
+namespace {
+
+tinygltf::Model parse(const std::vector<unsigned char>& file, AssetFolder& folder, const Messages& messages) {
+  tinygltf::TinyGLTF parser;
+  parser.SetFsCallbacks(folder.callbacks());
+  parser.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
+                           void*) { return true; },  // no image is decoded: materials warn of their textures
+                        nullptr);
+  tinygltf::Model model;
+  std::string errors, warnings;
+  bool done = false;
+  const auto size = static_cast<unsigned>(file.size());  // max_bytes is less
+  try {
+    done = is_binary(file) ? parser.LoadBinaryFromMemory(&model, &errors, &warnings, file.data(), size, "")
+                           : parser.LoadASCIIFromString(&model, &errors, &warnings,
+                                                        reinterpret_cast<const char*>(file.data()), size, "");
+  } catch (const std::out_of_range& error) {  // for instance an empty buffer
+    errors = error.what();
+  }
+  if (!done) messages.fail("glTF", errors, "export the scene again");
+  return model;
+}
+
+void read_scene_extras(const tinygltf::Model& model, Scene& scene, Messages& messages) {
+  if (model.scenes.empty()) return;
+  const auto index = static_cast<std::size_t>(std::max(model.defaultScene, 0));
+  const tinygltf::Scene& source = model.scenes[index];
+  const Extras extras(source.extras, label("scene", source.name, index), messages);
+  scene.gravity = extras.number("gravity", {0, 1e4, true}).value_or(scene.gravity);
+  if (extras.text("environment", {})) messages.warn(extras.object(), "environment is not used yet");
+  warn_of_unread_extras(source.extras, Place::scene, extras.object(), messages);
+}
+
+void warn_of_misplaced_extras(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes, Messages& messages) {
+  for (const PlacedNode& placed : nodes) {
+    const auto index = static_cast<std::size_t>(placed.node);
+    const tinygltf::Node& node = model.nodes[index];
+    const bool is_light = node.extensions.contains("KHR_lights_punctual");
+    warn_of_unread_extras(node.extras, is_light ? Place::light : Place::elsewhere, label("node", node.name, index),
+                          messages);
+  }
+  for (std::size_t i = 0; i < model.meshes.size(); ++i)
+    warn_of_unread_extras(model.meshes[i].extras, Place::elsewhere, label("mesh", model.meshes[i].name, i), messages);
+}
+
+bool emits(const Scene& scene) {
+  for (const Object& object : scene.objects)
+    if (scene.materials[static_cast<std::size_t>(object.material)].emission != glm::dvec3(0)) return true;
+  return !scene.lights.empty();
+}
+
+Scene assemble(const tinygltf::Model& model, Messages& messages) {
+  Scene scene;
+  const std::vector<PlacedNode> nodes = place_nodes(model, messages);
+  const std::vector<MeshParts> meshes = read_meshes(model, nodes, messages);
+  const Box box = bounding_box(model, nodes, meshes);
+  if (!(box.low.x <= box.high.x))
+    messages.fail("scene", "has no triangles", "export at least one mesh (and check which objects are exported)");
+  if (!std::isfinite(glm::length(box.high - box.low)))
+    messages.fail("scene", "reaches to infinity", "check the nodes' translations and scales");
+  scene.origin = local_origin(box);
+  scene.materials = read_materials(model, messages);
+  scene.objects = place_objects(model, nodes, meshes, scene.origin, scene.materials, messages);
+  if (scene.objects.empty()) messages.fail("scene", "has no triangle with an area", "check the nodes' scales");
+  scene.cameras = read_cameras(model, nodes, messages);
+  if (scene.cameras.empty()) {
+    scene.cameras.push_back(default_camera(box.low, box.high));
+    messages.warn("scene", "has no camera: one that sees everything from above is used");
+  }
+  scene.lights = read_lights(model, nodes, messages);
+  for (Camera& camera : scene.cameras) camera.pose = relative_to(camera.pose, scene.origin);
+  for (PunctualLight& light : scene.lights) light.position -= scene.origin;
+  read_scene_extras(model, scene, messages);
+  warn_of_misplaced_extras(model, nodes, messages);
+  if (!emits(scene)) messages.warn("scene", "has neither a light nor an emissive object: the image will be black");
+  return scene;
+}
+
+}  // namespace
+}  // namespace gltf
+
+Scene load_gltf(const std::string& path) {
+  using namespace gltf;
+  Messages messages(path);
+  AssetFolder folder(path, messages);
+  const std::vector<unsigned char> file = folder.read_scene();
+  const std::string_view json = json_text(file, messages);
+  check_depth(json, messages);
+  check_schema(json, messages);
+  const tinygltf::Model model = parse(file, folder, messages);
+  validate(model, is_binary(file), messages);
+  Scene scene = assemble(model, messages);
+  scene.file = path;
+  scene.hash = folder.hash();
+  scene.warnings = messages.warnings();
+  return scene;
+}
+
+}  // namespace meniscal

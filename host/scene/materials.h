@@ -1,0 +1,16 @@
+// Materials: core PBR factors, the KHR_materials_* extensions this project renders, and `extras`.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <vector>
+
+#include "host/scene/messages.h"
+#include "host/scene/scene.h"
+
+namespace meniscal::gltf {
+
+// One a glTF material, in order. Every factor is checked for its range; what is not rendered is warned of.
+std::vector<Material> read_materials(const tinygltf::Model& model, Messages& messages);
+
+}  // namespace meniscal::gltf

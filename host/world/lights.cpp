@@ -1,0 +1,74 @@
+#include "host/world/lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+namespace meniscal {
+namespace {
+
+struct Powered {
+  shared::Light light;
+  double power;
+};
+
+double mean(const glm::dvec3& c) { return (c.x + c.y + c.z) / 3; }
+
+Powered punctual(const PunctualLight& l, double radius) {
+  constexpr double pi = glm::pi<double>();
+  shared::Light light{};
+  light.position = glm::vec3(l.position);
+  light.direction = glm::vec3(l.direction);
+  light.intensity = glm::vec3(l.intensity);
+  double measure = 4 * pi;  // of directions or area that the intensity fills
+  light.type = shared::LIGHT_POINT;
+  if (l.type == PunctualLight::Type::directional) {
+    light.type = shared::LIGHT_DIRECTIONAL;
+    measure = pi * radius * radius;
+  } else if (l.type == PunctualLight::Type::spot) {
+    light.type = shared::LIGHT_SPOT;
+    measure = 2 * pi * (1 - std::cos(l.outer_cone));
+    const double scale = 1 / std::max(0.001, std::cos(l.inner_cone) - std::cos(l.outer_cone));
+    light.cone_scale = static_cast<float>(scale);
+    light.cone_versine = static_cast<float>(1 - std::cos(l.outer_cone));
+  }
+  return {light, mean(l.intensity) * measure};
+}
+
+Powered emissive(const WorldTriangle& t, std::uint32_t index, const shared::Surface& surface) {
+  shared::Light light{};
+  light.type = shared::LIGHT_AREA;
+  light.position = glm::vec3(t.corner[0]);
+  light.edge1 = glm::vec3(t.corner[1] - t.corner[0]);
+  light.edge2 = glm::vec3(t.corner[2] - t.corner[0]);
+  light.direction = glm::vec3(t.geometric);
+  light.area = static_cast<float>(t.area);
+  light.triangle = index;
+  light.intensity = surface.emission;
+  light.double_sided = surface.double_sided;
+  return {light, mean(glm::dvec3(surface.emission)) * glm::pi<double>() * t.area * (surface.double_sided ? 2 : 1)};
+}
+
+}  // namespace
+
+std::vector<shared::Light> make_lights(const Scene& scene, std::span<const WorldTriangle> triangles,
+                                       std::span<const shared::Surface> surfaces, double radius) {
+  std::vector<Powered> all;
+  for (const PunctualLight& l : scene.lights) all.push_back(punctual(l, radius));
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const shared::Surface& surface = surfaces[triangles[i].material];
+    if (surface.emission != glm::vec3(0)) all.push_back(emissive(triangles[i], i, surface));
+  }
+  std::erase_if(all, [](const Powered& p) { return !(p.power > 0); });
+
+  double total = 0;
+  for (const Powered& p : all) total += p.power;
+  std::vector<shared::Light> lights;
+  for (Powered& p : all) {
+    p.light.probability = static_cast<float>(p.power / total);
+    lights.push_back(p.light);
+  }
+  return lights;
+}
+
+}  // namespace meniscal

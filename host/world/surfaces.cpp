@@ -1,0 +1,29 @@
+#include "host/world/surfaces.h"
+
+namespace meniscal {
+
+shared::Surface make_surface(const Material& m, bool closed) {
+  const bool smooth = m.roughness < specular_roughness;
+  const bool opaque_liquid = m.liquid && m.liquid->opaque;
+  const double mirror = smooth ? (opaque_liquid ? 1.0 : m.metallic) : 0.0;
+  const double transmissive = smooth && !opaque_liquid ? (1 - m.metallic) * m.transmission : 0.0;
+  // A material is one thing to a path: the roulette between specular and diffuse picks the stronger of its specular sides.
+  const bool transmits = transmissive > mirror;
+  const bool refracts = m.liquid || m.target || m.has_thickness || closed;
+
+  shared::Surface s{};
+  s.albedo = glm::vec3(m.base_color);
+  s.tint = glm::vec3(m.base_color);
+  s.specular = static_cast<float>(transmits ? transmissive : mirror);
+  s.kind = s.specular == 0 ? shared::SPECULAR_NONE
+           : !transmits    ? shared::SPECULAR_MIRROR
+           : refracts      ? shared::SPECULAR_DIELECTRIC
+                           : shared::SPECULAR_THIN;
+  s.ior = static_cast<float>(m.ior);
+  if (s.kind == shared::SPECULAR_DIELECTRIC) s.absorption = glm::vec3(m.absorption);
+  s.emission = glm::vec3(m.emission);
+  s.double_sided = m.double_sided ? 1 : 0;
+  return s;
+}
+
+}  // namespace meniscal

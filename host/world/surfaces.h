@@ -1,0 +1,15 @@
+// Materials -> what the tracer does at a surface.
+#pragma once
+
+#include "host/scene/scene.h"
+#include "shaders/shared/structs.h"
+
+namespace meniscal {
+
+// Below this roughness a surface is specular (S), above it is diffuse (D): photons are stored there (physics: photons).
+inline constexpr double specular_roughness = 0.05;
+
+// `closed`: every object of the material is a closed volume; decides whether a transmissive material without thickness refracts.
+shared::Surface make_surface(const Material& material, bool closed);
+
+}  // namespace meniscal

@@ -1,0 +1,60 @@
+// The points of which the band is made: layers at graded distances from the contact lines, along their normals (paper,
+// figure 5).
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "meniscus/field.h"
+#include "meniscus/patch.h"
+
+namespace meniscus {
+
+// Wanted distance between layers at a distance from the contact line, metres: finest at the wall, even within the band,
+// growing beyond it so that the band blends into a coarse liquid.
+class Grading {
+ public:
+  explicit Grading(const ContactLine& line, double sweep_length);
+  double spacing(double distance) const;
+  // Distances from the wall out to `extent`; one of them is exactly the sweep, where the profile has a kink.
+  std::vector<double> layers(double extent) const;
+
+ private:
+  double sweep_;  // of the line; 0 for a hole without a meniscus
+  double first_, most_;
+};
+
+// Points already taken, to keep others away from them.
+class Spacing {
+ public:
+  // Takes p and returns true, unless some point taken earlier is nearer than `radius`.
+  bool claim(const glm::dvec2& p, double radius);
+  void take(const glm::dvec2& p);
+
+ private:
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+  struct Hash {
+    std::size_t operator()(const Cell& c) const {
+      return static_cast<std::size_t>(c.first * 73856093 ^ c.second * 19349663);
+    }
+  };
+  Cell cell(const glm::dvec2& p) const;
+  void coarsen(double radius);
+
+  double size_ = 0;
+  std::vector<glm::dvec2> points_;
+  std::unordered_map<Cell, std::vector<glm::dvec2>, Hash> cells_;
+};
+
+struct BandPoint {
+  glm::dvec2 x;
+  Foot foot;
+};
+
+// Every line sends its points along its own normals, at convex joints along a fan of directions between the two; a
+// point is kept where it lies on the patch and no other foot is nearer: so neighbours share the liquid and concave
+// parts trim themselves. `spacing` holds what is there already.
+std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::vector<Grading>& gradings,
+                             const Field& field, const Patch& patch, Spacing& spacing);
+
+}  // namespace meniscus

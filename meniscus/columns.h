@@ -1,0 +1,54 @@
+// A contour refined to the nodes from which the meniscus is swept: one column of the band starts at each (paper,
+// section 3.1).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "meniscus/contour.h"
+
+namespace meniscus {
+
+// What the band knows at one side of a node. At a joint the two sides differ.
+struct Side {
+  glm::dvec3 solid_normal;  // unit
+  glm::dvec2 direction;     // contour normal N_c in the plane: unit, away from the solid
+  double curvature = 0;     // of the contour's normals along it, 1/m; positive round a post
+  double rise = 0;          // of the contact line, along the liquid's normal; metres
+  glm::dvec2 slide{0};      // of the contact line, in the plane, so that it lies on the solid; metres
+  double rise_slope = 0;    // their derivatives along the contour
+  glm::dvec2 slide_slope{0};
+};
+
+struct Node {
+  glm::dvec3 position;
+  glm::dvec3 liquid_normal;
+  Side before, after;  // on the way that ends and the way that starts here
+  Side contact;        // of the contact vertex itself: between the two
+  bool joint = false;
+  std::optional<Edge> border;  // as in ContourPoint
+};
+
+struct ContactLine {
+  std::size_t solid;
+  bool closed;
+  double sweep = 0;  // how far the meniscus reaches, metres; 0 where none is raised
+  std::vector<Node> nodes;
+
+  std::size_t segments() const { return closed ? nodes.size() : nodes.size() - 1; }
+  const Node& next(std::size_t i) const { return nodes[(i + 1) % nodes.size()]; }
+};
+
+// The largest turn between neighbouring columns: 128 round a circle. A wider turn of the solid's normal is a joint.
+constexpr double kColumnTurn = 0.0491;
+
+// Merges points closer than a small part of the sweep length, averages normals that differ by less than a column's
+// turn, keeps joints and corners, and puts new points on the segments between them: as many as the turn of the normals
+// asks for, at most a twentieth of the sweep length apart. Nodes lie on the solid's facets; only chords between them
+// may leave the facets.
+ContactLine refine(const Contour& contour, std::size_t solid, double sweep_length);
+
+// Curvature and slopes from the directions, rises and slides of neighbouring nodes. To be called when those are known.
+void differentiate(ContactLine& line);
+
+}  // namespace meniscus

@@ -1,0 +1,228 @@
+#include "meniscus/contour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "meniscus/predicates.h"
+
+namespace meniscus {
+namespace {
+
+// What makes a point of a contour: an edge of one mesh and the triangle of the other that it pierces.
+struct Key {
+  bool solid_edge;
+  Edge edge;
+  std::uint32_t triangle;
+  auto operator<=>(const Key&) const = default;
+};
+
+struct Segment {
+  std::uint32_t from, to;             // into the list of points
+  glm::dvec3 normal_from, normal_to;  // of the solid
+};
+
+// Weights of the corners of a triangle at p, by areas along the triangle's normal.
+glm::dvec3 barycentric(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {
+  const glm::dvec3 a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+  const glm::dvec3 n = mesh.area_normal(t);
+  const double total = glm::dot(n, n);
+  if (total == 0) return {1, 0, 0};
+  const double wb = glm::dot(glm::cross(p - a, c - a), n) / total, wc = glm::dot(glm::cross(b - a, p - a), n) / total;
+  return {1 - wb - wc, wb, wc};
+}
+
+glm::dvec3 normal_at(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {
+  const glm::dvec3 w = barycentric(mesh, t, p);
+  const auto& n = mesh.triangles[t].normals;
+  const glm::dvec3 sum = n[0] + w[1] * (n[1] - n[0]) + w[2] * (n[2] - n[0]);
+  const double length = glm::length(sum);
+  return length > 0 ? sum / length : n[0];
+}
+
+class Search {
+ public:
+  Search(const Topology& liquid, const Topology& solid, Shift shift) : liquid_(liquid), solid_(solid), shift_(shift) {}
+
+  // Moeller's test, with signs alone.
+  void pair(std::uint32_t f, std::uint32_t t) {
+    const glm::dvec3 a[3] = {liquid_.corner(f, 0), liquid_.corner(f, 1), liquid_.corner(f, 2)};
+    const glm::dvec3 p[3] = {solid_.corner(t, 0), solid_.corner(t, 1), solid_.corner(t, 2)};
+    std::array<int, 3> above, before;
+    for (int j = 0; j < 3; ++j) above[j] = shift_.solid_above_liquid(a, p[j]);
+    if (above[0] == above[1] && above[1] == above[2]) return;
+    for (int i = 0; i < 3; ++i) before[i] = shift_.liquid_before_solid(p, a[i]);
+    if (before[0] == before[1] && before[1] == before[2]) return;
+    int pass[3][3];  // [edge of the liquid][edge of the solid]
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) pass[i][j] = shift_.edges(a[i], a[(i + 1) % 3], p[j], p[(j + 1) % 3]);
+    }
+    std::optional<std::uint32_t> from, to;
+    for (int j = 0; j < 3; ++j) {
+      const int k = (j + 1) % 3;
+      if (above[j] == above[k] || pass[0][j] != pass[1][j] || pass[1][j] != pass[2][j]) continue;
+      const glm::uvec3& v = solid_.triangles[t].points;
+      // Going up through the surface, counter-clockwise round an outward facet, begins the segment: liquid to its left.
+      (above[j] < 0 ? from : to) = point({true, edge(v[j], v[k]), f}, f);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const int k = (i + 1) % 3;
+      if (before[i] == before[k] || pass[i][0] != pass[i][1] || pass[i][1] != pass[i][2]) continue;
+      const glm::uvec3& v = liquid_.triangles[f].points;
+      (before[i] > 0 ? from : to) = point({false, edge(v[i], v[k]), t}, f);
+    }
+    if (!from || !to) return;  // only where one of the triangles has no area
+    segments_.push_back(
+        {*from, *to, normal_at(solid_, t, points_[*from].position), normal_at(solid_, t, points_[*to].position)});
+  }
+
+  const std::vector<Segment>& segments() const { return segments_; }
+  const std::vector<ContourPoint>& points() const { return points_; }
+
+ private:
+  std::uint32_t point(const Key& key, std::uint32_t f) {
+    const auto [entry, is_new] = known_.emplace(key, static_cast<std::uint32_t>(points_.size()));
+    if (!is_new) return entry->second;
+    const Topology& line = key.solid_edge ? solid_ : liquid_;
+    const Topology& plane = key.solid_edge ? liquid_ : solid_;
+    const glm::dvec3 p = line.points[key.edge.first], q = line.points[key.edge.second];
+    const glm::dvec3 n = plane.area_normal(key.triangle), o = plane.corner(key.triangle, 0);
+    const double dp = glm::dot(p - o, n), dq = glm::dot(q - o, n);
+    const double t = dp == dq ? 0.5 : std::clamp(dp / (dp - dq), 0.0, 1.0);
+    ContourPoint result{t == 1 ? q : p + t * (q - p), {}, {}, {}, {}};
+    result.liquid_normal = normal_at(liquid_, f, result.position);
+    if (!key.solid_edge) result.border = key.edge;
+    points_.push_back(result);
+    return entry->second;
+  }
+
+  const Topology& liquid_;
+  const Topology& solid_;
+  const Shift shift_;
+  std::map<Key, std::uint32_t> known_;
+  std::vector<ContourPoint> points_;
+  std::vector<Segment> segments_;
+};
+
+// A solid that only stands on the level with a whole face wets it: it is shifted down, any other solid up.
+Shift choose_shift(const Topology& solid, const Box& surface, const std::string& name,
+                   std::vector<std::string>& warnings) {
+  Box box;
+  for (const glm::dvec3& p : solid.points) box.add(p);
+  bool at_level = false, bottom = false;
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    const double y = solid.corner(t, 0).y;
+    if (y != solid.corner(t, 1).y || y != solid.corner(t, 2).y) continue;
+    if (y != surface.low.y || y != surface.high.y) continue;
+    at_level = true;
+    bottom = bottom || y == box.low.y;
+  }
+  if (at_level) {
+    warnings.push_back("solid '" + name + "' has a face exactly at the level of the liquid: taken as wetted, moved " +
+                       (bottom ? "down" : "up") + " by an infinitesimal amount");
+  }
+  return {bottom ? -1 : 1};
+}
+
+// Edges that bound the free surface: of one of its triangles only.
+std::map<Edge, int> border_edges(const Topology& liquid, const std::vector<std::uint32_t>& surface) {
+  std::map<Edge, int> uses;
+  for (const std::uint32_t f : surface) {
+    const glm::uvec3& v = liquid.triangles[f].points;
+    for (int i = 0; i < 3; ++i) ++uses[edge(v[i], v[(i + 1) % 3])];
+  }
+  std::erase_if(uses, [](const auto& entry) { return entry.second != 1; });
+  return uses;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> free_surface(const Topology& liquid) {
+  constexpr double kUp = 1e-3;  // cosine: walls of a box of liquid stay walls in spite of rounding
+  std::vector<std::uint32_t> result;
+  for (std::size_t t = 0; t < liquid.triangles.size(); ++t) {
+    const glm::dvec3 n = liquid.area_normal(t);
+    if (n.y > kUp * glm::length(n)) result.push_back(static_cast<std::uint32_t>(t));
+  }
+  return result;
+}
+
+std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std::uint32_t>& surface,
+                                   const Tree& surface_tree, const Topology& solid, const std::string& solid_name,
+                                   std::vector<std::string>& warnings) {
+  Box level;
+  for (const std::uint32_t f : surface) level.add(liquid.box(f));
+  std::vector<std::uint32_t> near;
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    if (solid.box(t).overlaps(level)) near.push_back(static_cast<std::uint32_t>(t));
+  }
+  if (near.empty()) return {};
+  Search search(liquid, solid, choose_shift(solid, level, solid_name, warnings));
+  for (const std::uint32_t t : near) {
+    std::vector<std::uint32_t> hits;
+    surface_tree.overlapping(solid.box(t), [&](std::uint32_t i) { hits.push_back(surface[i]); });
+    std::sort(hits.begin(), hits.end());
+    for (const std::uint32_t f : hits) search.pair(f, t);
+  }
+
+  const std::vector<Segment>& segments = search.segments();
+  const std::vector<ContourPoint>& points = search.points();
+  std::multimap<std::uint32_t, std::uint32_t> starting;  // point -> segment
+  std::vector<int> arriving(points.size(), 0);
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    starting.emplace(segments[s].from, s);
+    ++arriving[segments[s].to];
+  }
+  const auto borders = border_edges(liquid, surface);
+  const auto on_border = [&](const ContourPoint& p) { return p.border && borders.contains(*p.border); };
+  std::vector<bool> used(segments.size(), false);
+  std::vector<Contour> result;
+  const auto follow = [&](std::uint32_t first) {
+    Contour contour{false, {}};
+    std::optional<glm::dvec3> before;
+    std::uint32_t at = segments[first].from;
+    for (std::optional<std::uint32_t> s = first; s;) {
+      used[*s] = true;
+      ContourPoint p = points[at];
+      p.after = segments[*s].normal_from;
+      p.before = before.value_or(p.after);
+      contour.points.push_back(p);
+      before = segments[*s].normal_to;
+      at = segments[*s].to;
+      s.reset();
+      if (at == segments[first].from) break;
+      const auto [low, high] = starting.equal_range(at);
+      for (auto i = low; i != high && !s; ++i) {
+        if (!used[i->second]) s = i->second;
+      }
+    }
+    if (at == segments[first].from) {
+      contour.closed = true;
+      contour.points.front().before = *before;
+    } else {
+      ContourPoint p = points[at];
+      p.before = p.after = *before;
+      contour.points.push_back(p);
+    }
+    for (ContourPoint& p : contour.points) {
+      if (!on_border(p)) p.border.reset();
+    }
+    if (contour.closed || (contour.points.front().border && contour.points.back().border)) {
+      result.push_back(std::move(contour));
+    } else {
+      warnings.push_back("solid '" + solid_name +
+                         "' is open where it meets the liquid: a contour that ends within the liquid "
+                         "encloses nothing and gets no meniscus; close the solid or give it thickness");
+    }
+  };
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    if (!used[s] && arriving[segments[s].from] == 0) follow(s);
+  }
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    if (!used[s]) follow(s);
+  }
+  return result;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,36 @@
+// Where the surface of a solid cuts the free surface of a liquid: chains of points with both normals (paper,
+// section 3.1).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meniscus/topology.h"
+
+namespace meniscus {
+
+struct ContourPoint {
+  glm::dvec3 position;
+  glm::dvec3 liquid_normal;  // unit, interpolated
+  glm::dvec3 before, after;  // unit normals of the solid on the segments that end and start here; they differ at joints
+  std::optional<Edge> border;  // the liquid's border edge on which an open contour starts or ends
+};
+
+// Seen from above, the liquid lies to the left of the way from each point to the next, the solid to the right.
+struct Contour {
+  bool closed;
+  std::vector<ContourPoint> points;
+};
+
+// The free surface of a liquid: those of its triangles that face up, as indices into Topology::triangles.
+std::vector<std::uint32_t> free_surface(const Topology& liquid);
+
+// All contours of one solid (oriented outward) in the liquid's free surface, found with exact predicates: every pair of
+// triangles gives one segment or none, its end points are known by the pair (edge, triangle) that makes them, ties are
+// shifted away. Contours that end within the liquid are left out with a warning, since they part nothing.
+std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std::uint32_t>& surface,
+                                   const Tree& surface_tree, const Topology& solid, const std::string& solid_name,
+                                   std::vector<std::string>& warnings);
+
+}  // namespace meniscus

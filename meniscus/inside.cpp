@@ -1,0 +1,132 @@
+#include "meniscus/inside.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "meniscus/predicates.h"
+
+namespace meniscus {
+namespace {
+
+constexpr std::uint32_t kNone = Triangulation::kNone;
+
+// Number of solids round p, from their winding numbers; `doubt` is how far from whole numbers these are.
+int solids_around(const std::vector<Body>& bodies, const glm::dvec3& p, double& doubt) {
+  int around = 0;
+  doubt = 0;
+  for (const Body& body : bodies) {
+    const double winding = winding_number(body.mesh, p);
+    around += static_cast<int>(std::lround(winding));
+    doubt = std::max(doubt, std::abs(winding - std::round(winding)));
+  }
+  return around;
+}
+
+}  // namespace
+
+Winding find_windings(const Triangulation& mesh, const Patch& base, const std::vector<Body>& bodies,
+                      std::vector<std::string>& warnings) {
+  constexpr int kUnknown = 1 << 30;
+  const auto& triangles = mesh.triangles();
+  Winding result{std::vector<int>(triangles.size(), kUnknown), std::vector<int>(triangles.size(), kUnknown)};
+  const auto spread = [&](std::vector<int>& winding, std::uint32_t seed, int value, int Crossing::*kind,
+                          auto&& passes) {
+    std::vector<std::uint32_t> stack{seed}, reached{seed};
+    winding[seed] = value;
+    while (!stack.empty()) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t u = triangles[t].n[i];
+        if (u == kNone || winding[u] != kUnknown) continue;
+        int sense = 0;
+        const Crossing* crossing = mesh.constraint(t, i, sense);
+        if (!passes(u)) continue;
+        winding[u] = winding[t] + (crossing ? sense * (crossing->*kind) : 0);
+        stack.push_back(u);
+        reached.push_back(u);
+      }
+    }
+    return reached;
+  };
+  std::uint32_t outside = 0;
+  while (std::find(triangles[outside].v.begin(), triangles[outside].v.end(), 0u) == triangles[outside].v.end())
+    ++outside;
+  spread(result.patch, outside, 0, &Crossing::patch, [](std::uint32_t) { return true; });
+
+  const auto area = [&](std::uint32_t t) {
+    const auto& v = triangles[t].v;
+    return cross(mesh.points()[v[1]] - mesh.points()[v[0]], mesh.points()[v[2]] - mesh.points()[v[0]]);
+  };
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (result.patch[t] <= 0 || result.solid[t] != kUnknown) continue;
+    auto part = spread(result.solid, t, 0, &Crossing::solid, [&](std::uint32_t u) { return result.patch[u] > 0; });
+    std::stable_sort(part.begin(), part.end(), [&](std::uint32_t a, std::uint32_t b) { return area(a) > area(b); });
+    int shift = 0;
+    double doubt = 1;
+    for (std::size_t k = 0; k < std::min<std::size_t>(part.size(), 4) && doubt > 0.25; ++k) {
+      const auto& v = triangles[part[k]].v;
+      const glm::dvec2 x = (mesh.points()[v[0]] + mesh.points()[v[1]] + mesh.points()[v[2]]) / 3.0;
+      double d = 0;
+      const int around = solids_around(bodies, base.clamped(x).position, d);
+      if (d < doubt) doubt = d, shift = around - result.solid[part[k]];
+    }
+    if (doubt > 0.25)
+      warnings.push_back("which side of the solids is liquid is doubtful: some solid is open; close it");
+    for (const std::uint32_t u : part) result.solid[u] += shift;
+  }
+  return result;
+}
+
+std::vector<bool> find_drowned(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch,
+                               const std::vector<Edge>& drowned_edges, const std::vector<Body>& bodies) {
+  std::vector<bool> drowned(liquid.triangles.size(), false), seen(liquid.triangles.size(), false);
+  std::vector<Box> boxes;
+  for (const Body& body : bodies) {
+    boxes.emplace_back();
+    for (const glm::dvec3& p : body.mesh.points) boxes.back().add(p);
+  }
+  std::multimap<Edge, std::uint32_t> beside;
+  std::map<Edge, bool> patch_side;  // of the patch's border: is it drowned?
+  for (const std::uint32_t t : surface) {
+    if (patch.contains(t)) continue;
+    const glm::uvec3& v = liquid.triangles[t].points;
+    for (int i = 0; i < 3; ++i) beside.emplace(edge(v[i], v[(i + 1) % 3]), t);
+  }
+  for (const Patch::Side& side : patch.border()) patch_side[edge(side.from, side.to)] = false;
+  for (const Edge& e : drowned_edges) patch_side[e] = true;
+
+  for (const std::uint32_t first : surface) {
+    if (patch.contains(first) || seen[first]) continue;
+    std::vector<std::uint32_t> part{first};
+    seen[first] = true;
+    std::optional<bool> answer;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const glm::uvec3& v = liquid.triangles[part[k]].points;
+      for (int i = 0; i < 3; ++i) {
+        const Edge e = edge(v[i], v[(i + 1) % 3]);
+        if (const auto side = patch_side.find(e); side != patch_side.end())
+          answer = answer.value_or(false) || side->second;
+        const auto [low, high] = beside.equal_range(e);
+        for (auto n = low; n != high; ++n) {
+          if (!seen[n->second]) part.push_back(n->second);
+          seen[n->second] = true;
+        }
+      }
+    }
+    if (!answer) {
+      const glm::dvec3 centre = (liquid.corner(first, 0) + liquid.corner(first, 1) + liquid.corner(first, 2)) / 3.0;
+      Box point;
+      point.add(centre);
+      double doubt = 0;
+      const bool near = std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return b.overlaps(point); });
+      answer = near && solids_around(bodies, centre, doubt) > 0;
+    }
+    for (const std::uint32_t t : part) drowned[t] = *answer;
+  }
+  return drowned;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,38 @@
+#include "meniscus/lift.h"
+
+#include <algorithm>
+
+#include "meniscus/predicates.h"
+#include "meniscus/profile.h"
+
+namespace meniscus {
+
+Lifted lift(const Foot& foot, double sweep, const glm::dvec3& base, const glm::dvec3& up) {
+  if (!foot.exists() || !(foot.distance < sweep)) return {base, up};
+  const auto between = [&](auto Side::*value) {
+    return foot.from->*value + foot.t * (foot.to->*value - foot.from->*value);
+  };
+  const auto in_liquid = [&](const glm::dvec2& v) {  // a vector of the plane, turned into the liquid's tangent plane
+    const glm::dvec3 w = lifted(v, 0);
+    return w - glm::dot(w, up) * up;
+  };
+  const double d = foot.distance / sweep;
+  const double rise = between(&Side::rise), height = profile(d), height_slope = profile_slope(d) / sweep;
+  const glm::dvec3 slide = in_liquid(between(&Side::slide));
+  const glm::dvec3 out = glm::normalize(in_liquid(foot.direction)), forward = glm::cross(out, up);
+  const double fade = 1 - d, fade_slope = -1 / sweep;
+
+  // Derivatives of the position along the contour (per metre of it; in a fan, per metre of arc) and across it.
+  const double arc = std::max(foot.distance, 1e-6 * sweep);
+  constexpr double kLeastStretch = 0.02;  // beyond the centre of a concave contour the columns would turn inside out
+  const double stretch = foot.fan > 0 ? 1 : std::max(1 + between(&Side::curvature) * foot.distance, kLeastStretch);
+  const double rise_slope =
+      foot.fan > 0 ? (foot.to->rise - foot.from->rise) / (foot.fan * arc) : between(&Side::rise_slope);
+  const glm::dvec2 slide_slope =
+      foot.fan > 0 ? (foot.to->slide - foot.from->slide) / (foot.fan * arc) : between(&Side::slide_slope);
+  const glm::dvec3 along = stretch * forward + fade * in_liquid(slide_slope) + rise_slope * height * up;
+  const glm::dvec3 across = out + fade_slope * slide + rise * height_slope * up;
+  return {base + rise * height * up + fade * slide, glm::normalize(glm::cross(along, across))};
+}
+
+}  // namespace meniscus

@@ -1,0 +1,141 @@
+#include "meniscus/meniscus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "meniscus/bond.h"
+#include "meniscus/check.h"
+#include "meniscus/predicates.h"
+#include "meniscus/profile.h"
+#include "meniscus/stitch.h"
+
+namespace meniscus {
+namespace {
+
+Topology weld_liquid(const Liquid& liquid, std::vector<std::uint32_t>& surface, std::vector<std::string>& warnings) {
+  if (!(liquid.capillary_length > 0) || !std::isfinite(liquid.capillary_length)) {
+    throw std::invalid_argument("liquid '" + liquid.name + "': the capillary length must be positive and finite");
+  }
+  if (!(liquid.sweep_scale > 0) || !std::isfinite(liquid.sweep_scale) || !std::isfinite(liquid.height_scale)) {
+    throw std::invalid_argument("liquid '" + liquid.name +
+                                "': the scale of the sweep must be positive, both scales finite");
+  }
+  Topology mesh = weld(liquid.mesh, liquid.name);
+  surface = free_surface(mesh);
+  if (surface.empty()) {
+    for (Topology::Triangle& t : mesh.triangles) {
+      std::swap(t.points[1], t.points[2]), std::swap(t.vertices[1], t.vertices[2]),
+          std::swap(t.normals[1], t.normals[2]);
+      for (glm::dvec3& n : t.normals) n = -n;
+    }
+    surface = free_surface(mesh);
+    if (surface.empty()) {
+      throw std::invalid_argument("liquid '" + liquid.name +
+                                  "' has no surface that faces up: +Y is up, check its orientation");
+    }
+    warnings.push_back("liquid '" + liquid.name + "' faces down: taken as turned over");
+  }
+  if (liquid.mesh.normals.empty()) {  // smooth ones for the free surface, weighted by area
+    std::vector<glm::dvec3> sum(mesh.points.size(), glm::dvec3(0));
+    for (const std::uint32_t t : surface) {
+      for (int i = 0; i < 3; ++i) sum[mesh.triangles[t].points[i]] += mesh.area_normal(t);
+    }
+    for (const std::uint32_t t : surface) {
+      for (int i = 0; i < 3; ++i) mesh.triangles[t].normals[i] = glm::normalize(sum[mesh.triangles[t].points[i]]);
+    }
+  }
+  return mesh;
+}
+
+std::vector<Body> weld_solids(const std::vector<Solid>& solids) {
+  std::vector<Body> bodies;
+  for (const Solid& solid : solids) {
+    if (!(solid.contact_angle >= 0 && solid.contact_angle <= 3.1415926536)) {
+      throw std::invalid_argument("solid '" + solid.name + "': the contact angle must lie between 0 and 180 degrees");
+    }
+    Topology mesh = weld(solid.mesh, solid.name);
+    orient_outward(mesh);
+    std::vector<Box> boxes;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) boxes.push_back(mesh.box(t));
+    bodies.push_back({solid.name, std::move(mesh), Tree(std::move(boxes)), solid.contact_angle});
+  }
+  return bodies;
+}
+
+Contact describe(const ContactLine& line, const Body& body) {
+  Contact contact{body.name, line.closed, 0, body.contact_angle, 0, 0};
+  for (std::size_t i = 0; i < line.segments(); ++i) {
+    contact.length += glm::distance(line.nodes[i].position, line.next(i).position);
+  }
+  contact.rise_min = contact.rise_max = line.nodes.front().contact.rise;
+  for (const Node& node : line.nodes) {
+    contact.rise_min = std::min(contact.rise_min, node.contact.rise);
+    contact.rise_max = std::max(contact.rise_max, node.contact.rise);
+  }
+  return contact;
+}
+
+// Says what is not as it must be; a picture is still possible.
+void check(const Liquid& liquid, const Stitched& result, const std::vector<ContactLine>& lines,
+           const std::vector<Body>& bodies, std::size_t rejected_before, std::vector<std::string>& warnings) {
+  const Report report = inspect(result.mesh);
+  std::size_t gaps = 0;
+  for (const auto& [a, b] : report.boundary) gaps += !(result.may_end[a] && result.may_end[b]);
+  if (report.rejected > rejected_before) {
+    warnings.push_back("liquid '" + liquid.name + "': " + std::to_string(report.rejected - rejected_before) +
+                       " triangles make its surface non-manifold");
+  }
+  if (gaps > 0)
+    warnings.push_back("liquid '" + liquid.name + "': " + std::to_string(gaps) + " edges of its surface lie open");
+  std::map<std::string, std::size_t> folded;
+  for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+    if (!result.meniscus[t]) continue;
+    const glm::uvec3& v = result.mesh.triangles[t];
+    const auto& p = result.mesh.positions;
+    if (orient2d(planar(p[v.x]), planar(p[v.y]), planar(p[v.z])) <= 0)
+      ++folded[bodies[lines[result.line[t]].solid].name];
+  }
+  for (const auto& [name, count] : folded) {
+    warnings.push_back("solid '" + name + "': " + std::to_string(count) +
+                       " triangles of its meniscus overhang or fold over");
+  }
+}
+
+}  // namespace
+
+Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
+  Surface result;
+  std::vector<std::uint32_t> surface;
+  const Topology level = weld_liquid(liquid, surface, result.warnings);
+  const std::vector<Body> bodies = weld_solids(solids);
+  const double reach = sweep_length(liquid);
+
+  std::vector<Box> boxes;
+  for (const std::uint32_t t : surface) boxes.push_back(level.box(t));
+  const Tree tree(std::move(boxes));
+  std::vector<ContactLine> lines;
+  for (std::size_t s = 0; s < bodies.size(); ++s) {
+    for (const Contour& contour :
+         find_contours(level, surface, tree, bodies[s].mesh, bodies[s].name, result.warnings)) {
+      ContactLine line = refine(contour, s, reach);
+      bond(line, bodies[s], liquid, result.warnings);
+      differentiate(line);
+      lines.push_back(std::move(line));
+    }
+  }
+
+  constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
+  const Patch patch(level, surface, lines, kMargin * reach);
+  const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, result.warnings);
+  Stitched stitched = stitch(level, surface, patch, sheet, lines, bodies);
+  if (!lines.empty()) check(liquid, stitched, lines, bodies, inspect(liquid.mesh).rejected, result.warnings);
+
+  for (const ContactLine& line : lines) result.contacts.push_back(describe(line, bodies[line.solid]));
+  result.mesh = std::move(stitched.mesh);
+  result.meniscus = std::move(stitched.meniscus);
+  return result;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,56 @@
+// Liquid-solid interfaces: finds where solids pierce a liquid and raises the menisci there.
+// Source: Bourque, Dufort, Laprade, Poulin, "Simulating Caustics due to Liquid-Solid Interface Menisci", section 3.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "meniscus/mesh.h"
+
+namespace meniscus {
+
+// How the printed alpha of the paper's equation (2) is read; see `rise` in profile.h.
+enum class HeightRule {
+  wetting,    // alpha = pi - phi0, phi0 = dihedral angle - contact angle: right sign for every solid
+  equation2,  // alpha = contact angle, as printed: always rises
+};
+
+struct Liquid {
+  std::string name;
+  TriangleMesh mesh;        // an open sheet or a closed volume; its free surface is what faces up (+Y)
+  double capillary_length;  // sqrt(surface tension / (density * gravity)), metres
+  HeightRule height_rule = HeightRule::wetting;
+  double height_scale = 1;  // artist's factor on the height
+  double sweep_scale = 1;   // artist's factor on the sweep length, 2 capillary lengths
+};
+
+struct Solid {
+  std::string name;
+  TriangleMesh mesh;
+  double contact_angle;  // radians, through the liquid, for the liquid it is built with
+};
+
+// One liquid-solid contour and the meniscus raised on it.
+struct Contact {
+  std::string solid;
+  bool closed;                // false where the contour ends at the liquid's border
+  double length;              // of the contour, metres
+  double contact_angle;       // radians
+  double rise_min, rise_max;  // signed height of the contact line above the level liquid, metres
+};
+
+// The liquid with its menisci: one oriented surface, watertight but for the borders the liquid came with.
+struct Surface {
+  TriangleMesh mesh;                   // always with normals: analytic on the menisci, the liquid's own elsewhere
+  std::vector<std::uint8_t> meniscus;  // per triangle: 1 on a meniscus (a photon target), 0 on the rest of the liquid
+  std::vector<Contact> contacts;
+  std::vector<std::string> warnings;  // each names the solid and says what was done
+};
+
+// Cuts the liquid where the solids pierce it, drops what lies inside them, raises a meniscus round every contour and
+// stitches it to what remains of the liquid. Untouched triangles of the liquid stay bit for bit as they are.
+// Deterministic. Throws std::invalid_argument, naming the object, where the input is not a usable mesh.
+Surface build(const Liquid& liquid, const std::vector<Solid>& solids);
+
+}  // namespace meniscus

@@ -1,0 +1,33 @@
+// The patch of the liquid meshed anew: contact lines, band and what is left of the liquid's points in one
+// triangulation, from which everything inside the solids is taken out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meniscus/band.h"
+#include "meniscus/bond.h"
+#include "meniscus/triangulate.h"
+
+namespace meniscus {
+
+struct Sheet {
+  struct Vertex {
+    glm::dvec2 x{};
+    Foot foot;                              // distance 0 and the node's own side for contact vertices
+    const Node* node = nullptr;             // of a contact vertex
+    std::optional<std::uint32_t> original;  // welded point of the liquid
+    std::optional<Edge> border;             // lies on this border edge of the liquid
+    bool crossing = false;                  // of two contact lines
+  };
+  std::vector<Vertex> vertices;
+  std::vector<glm::uvec3> triangles;  // counter-clockwise from above
+  std::vector<bool> raised;           // per triangle: on a meniscus
+  std::vector<Edge> drowned;          // edges of the patch's border that lie inside a solid
+};
+
+Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<ContactLine>& lines,
+             const std::vector<Body>& bodies, double sweep_length, std::vector<std::string>& warnings);
+
+}  // namespace meniscus

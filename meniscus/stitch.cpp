@@ -1,0 +1,171 @@
+#include "meniscus/stitch.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <unordered_map>
+
+#include "meniscus/inside.h"
+#include "meniscus/lift.h"
+#include "meniscus/predicates.h"
+
+namespace meniscus {
+namespace {
+
+class Assembly {
+ public:
+  explicit Assembly(const Topology& liquid) : liquid_(liquid) {}
+
+  Stitched result;
+
+  std::uint32_t add(const glm::dvec3& position, const glm::dvec3& normal, bool may_end) {
+    result.mesh.positions.push_back(position);
+    result.mesh.normals.push_back(normal);
+    result.may_end.push_back(may_end);
+    return static_cast<std::uint32_t>(result.mesh.positions.size() - 1);
+  }
+
+  // One vertex for each point of the liquid and normal there.
+  std::uint32_t of_liquid(std::uint32_t point, const glm::dvec3& normal) {
+    auto& known = known_[point];
+    for (const std::uint32_t v : known) {
+      if (result.mesh.normals[v] == normal) return v;
+    }
+    const auto moved = moved_.find(point);
+    const std::uint32_t v =
+        add(moved == moved_.end() ? liquid_.points[point] : moved->second, normal, ending_.contains(point));
+    known.push_back(v);
+    return v;
+  }
+
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool meniscus, std::size_t line = 0) {
+    result.mesh.triangles.emplace_back(a, b, c);
+    result.line.push_back(line);
+    result.meniscus.push_back(meniscus);
+  }
+
+  struct Divided {  // a point on an edge of the liquid, its part of the way from the smaller point index
+    double at;
+    glm::dvec3 position;
+  };
+  std::map<Edge, std::vector<Divided>> divided;
+
+  void move(std::uint32_t point, const glm::dvec3& to) { moved_[point] = to; }
+  void set_ending(std::uint32_t point) { ending_[point] = true; }
+
+  // An untouched triangle; a wall whose edge was divided becomes a fan.
+  void untouched(const Topology::Triangle& t) {
+    std::array<std::uint32_t, 3> v;
+    std::array<std::vector<std::uint32_t>, 3> on;  // new vertices along the edge from corner i to the next
+    for (int i = 0; i < 3; ++i) v[i] = of_liquid(t.points[i], t.normals[i]);
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = t.points[i], b = t.points[(i + 1) % 3];
+      const auto found = divided.find(edge(a, b));
+      if (found == divided.end()) continue;
+      for (const Divided& d : found->second) on[i].push_back(add(d.position, t.normals[i], true));
+      if (b < a) std::reverse(on[i].begin(), on[i].end());
+    }
+    fan(v, on);
+  }
+
+ private:
+  void fan(std::array<std::uint32_t, 3> v, std::array<std::vector<std::uint32_t>, 3> on) {
+    for (int i = 0; i < 3; ++i) {
+      if (on[i].empty()) continue;
+      const std::uint32_t apex = v[(i + 2) % 3];
+      std::vector<std::uint32_t> chain{v[i]};
+      chain.insert(chain.end(), on[i].begin(), on[i].end());
+      chain.push_back(v[(i + 1) % 3]);
+      for (std::size_t k = 0; k + 1 < chain.size();
+           ++k) {  // the other edges keep what divides them, at both ends of the fan
+        std::array<std::vector<std::uint32_t>, 3> rest;
+        if (k + 2 == chain.size()) rest[1] = on[(i + 1) % 3];
+        if (k == 0) rest[2] = on[(i + 2) % 3];
+        fan({chain[k], chain[k + 1], apex}, rest);
+      }
+      return;
+    }
+    triangle(v[0], v[1], v[2], false);
+  }
+
+  const Topology& liquid_;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> known_;
+  std::unordered_map<std::uint32_t, glm::dvec3> moved_;
+  std::unordered_map<std::uint32_t, bool> ending_;
+};
+
+}  // namespace
+
+Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch,
+                const Sheet& sheet, const std::vector<ContactLine>& lines, const std::vector<Body>& bodies) {
+  Assembly assembly(liquid);
+  std::map<Edge, int> uses;
+  std::unordered_map<std::uint32_t, glm::dvec3> normal_at;  // of the free surface, untouched triangles first
+  for (const bool touched : {false, true}) {
+    for (const std::uint32_t t : surface) {
+      if (patch.contains(t) != touched) continue;
+      for (int i = 0; i < 3; ++i) {
+        normal_at.emplace(liquid.triangles[t].points[i], liquid.triangles[t].normals[i]);
+      }
+    }
+  }
+  for (const Topology::Triangle& t : liquid.triangles) {
+    for (int i = 0; i < 3; ++i) ++uses[edge(t.points[i], t.points[(i + 1) % 3])];
+  }
+  for (std::size_t t = 0; t < liquid.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = liquid.triangles[t].points[i], b = liquid.triangles[t].points[(i + 1) % 3];
+      if (uses.at(edge(a, b)) == 1) assembly.set_ending(a), assembly.set_ending(b);
+    }
+  }
+
+  std::vector<bool> used(sheet.vertices.size(), false);
+  for (const glm::uvec3& t : sheet.triangles) used[t.x] = used[t.y] = used[t.z] = true;
+  std::vector<Lifted> lifted_to(sheet.vertices.size());
+  for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
+    if (!used[i]) continue;
+    const Sheet::Vertex& vertex = sheet.vertices[i];
+    Base base;
+    if (vertex.node) {
+      base = {vertex.node->position, vertex.node->liquid_normal};
+    } else if (vertex.original) {
+      base = {liquid.points[*vertex.original], normal_at.at(*vertex.original)};
+    } else {
+      base = patch.clamped(vertex.x);
+    }
+    const double reach = vertex.foot.exists() ? lines[vertex.foot.line].sweep : 0;
+    lifted_to[i] = lift(vertex.foot, reach, base.position, base.normal);
+    if (vertex.original && lifted_to[i].position != base.position)
+      assembly.move(*vertex.original, lifted_to[i].position);
+    if (vertex.border) {
+      const glm::dvec2 a = planar(liquid.points[vertex.border->first]),
+                       b = planar(liquid.points[vertex.border->second]);
+      assembly.divided[*vertex.border].push_back({glm::dot(vertex.x - a, b - a), lifted_to[i].position});
+    }
+  }
+  for (auto& [key, points] : assembly.divided) {
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+  }
+
+  const std::vector<bool> drowned = find_drowned(liquid, surface, patch, sheet.drowned, bodies);
+  for (std::uint32_t t = 0; t < liquid.triangles.size(); ++t) {
+    if (!patch.contains(t) && !drowned[t]) assembly.untouched(liquid.triangles[t]);
+  }
+  std::vector<std::uint32_t> index(sheet.vertices.size());
+  for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
+    if (!used[i]) continue;
+    const Sheet::Vertex& vertex = sheet.vertices[i];
+    index[i] = vertex.original && !vertex.node
+                   ? assembly.of_liquid(*vertex.original, lifted_to[i].normal)
+                   : assembly.add(lifted_to[i].position, lifted_to[i].normal,
+                                  vertex.node != nullptr || vertex.border.has_value() || vertex.crossing);
+    if (vertex.node) assembly.result.may_end[index[i]] = true;
+  }
+  for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+    const glm::uvec3& v = sheet.triangles[t];
+    assembly.triangle(index[v.x], index[v.y], index[v.z], sheet.raised[t], sheet.vertices[v.x].foot.line);
+  }
+  return std::move(assembly.result);
+}
+
+}  // namespace meniscus

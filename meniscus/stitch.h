@@ -1,0 +1,22 @@
+// Band and remaining liquid joined into one surface with shared vertices.
+#pragma once
+
+#include "meniscus/meniscus.h"
+#include "meniscus/remesh.h"
+
+namespace meniscus {
+
+struct Stitched {
+  TriangleMesh mesh;
+  std::vector<std::uint8_t> meniscus;
+  std::vector<std::size_t> line;  // per triangle of a meniscus: its contact line
+  // Per vertex: on a contact line or on the liquid's own border, where an edge may have one triangle.
+  std::vector<bool> may_end;
+};
+
+// Lifts the sheet's vertices and joins them to the untouched triangles of the liquid, less those of the free surface
+// inside solids. Walls of a closed liquid follow where the border of its free surface was divided or moved.
+Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch,
+                const Sheet& sheet, const std::vector<ContactLine>& lines, const std::vector<Body>& bodies);
+
+}  // namespace meniscus

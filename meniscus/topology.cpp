@@ -1,0 +1,96 @@
+#include "meniscus/topology.h"
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace meniscus {
+namespace {
+
+struct HashPoint {
+  std::size_t operator()(const glm::dvec3& p) const {
+    const std::hash<double> h;  // equal for 0 and -0, as the comparison is
+    return (h(p.x) * 31 + h(p.y)) * 31 + h(p.z);
+  }
+};
+
+// Normals that are unit within single precision stay as they are, to the last bit.
+glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& otherwise) {
+  const double length = glm::length(v);
+  if (std::abs(length - 1) < 1e-6) return v;
+  return length > 0 && std::isfinite(length) ? v / length : otherwise;
+}
+
+}  // namespace
+
+Topology weld(const TriangleMesh& mesh, const std::string& name) {
+  const auto fail = [&](const std::string& what) {
+    throw std::invalid_argument("mesh of '" + name + "': " + what + "; export it again or repair it");
+  };
+  if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
+    fail(std::to_string(mesh.normals.size()) + " normals for " + std::to_string(mesh.positions.size()) + " positions");
+  }
+  Topology result;
+  std::vector<std::uint32_t> point(mesh.positions.size());
+  std::unordered_map<glm::dvec3, std::uint32_t, HashPoint> found;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::dvec3& p = mesh.positions[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      fail("position " + std::to_string(i) + " is not finite");
+    }
+    const auto [entry, is_new] = found.emplace(p, static_cast<std::uint32_t>(result.points.size()));
+    if (is_new) result.points.push_back(p);
+    point[i] = entry->second;
+  }
+  for (const glm::uvec3& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      if (t[i] >= point.size()) fail("triangle index " + std::to_string(t[i]) + " is out of range");
+    }
+    Topology::Triangle triangle{{point[t[0]], point[t[1]], point[t[2]]}, t, {}};
+    const glm::uvec3& p = triangle.points;
+    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+    const glm::dvec3 facet = unit(
+        glm::cross(result.points[p[1]] - result.points[p[0]], result.points[p[2]] - result.points[p[0]]), {0, 1, 0});
+    for (int i = 0; i < 3; ++i) triangle.normals[i] = mesh.normals.empty() ? facet : unit(mesh.normals[t[i]], facet);
+    result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+bool orient_outward(Topology& solid) {
+  Box box;
+  for (const glm::dvec3& p : solid.points) box.add(p);
+  const glm::dvec3 centre = 0.5 * (box.low + box.high);  // for open solids the volume is that seen from here
+  double volume = 0;
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    volume += glm::dot(solid.corner(t, 0) - centre, solid.area_normal(t));
+  }
+  const bool turn = volume < 0;
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    Topology::Triangle& triangle = solid.triangles[t];
+    if (turn) {
+      std::swap(triangle.points[1], triangle.points[2]);
+      std::swap(triangle.vertices[1], triangle.vertices[2]);
+      std::swap(triangle.normals[1], triangle.normals[2]);
+    }
+    const glm::dvec3 facet = solid.area_normal(t);
+    for (glm::dvec3& normal : triangle.normals) {
+      if (glm::dot(normal, facet) < 0) normal = -normal;
+    }
+  }
+  return turn;
+}
+
+double winding_number(const Topology& solid, const glm::dvec3& p) {
+  double angle = 0;
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    const glm::dvec3 a = solid.corner(t, 0) - p, b = solid.corner(t, 1) - p, c = solid.corner(t, 2) - p;
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    angle += 2 * std::atan2(glm::dot(a, glm::cross(b, c)),
+                            la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+  }
+  return angle / (4 * glm::pi<double>());
+}
+
+}  // namespace meniscus

@@ -1,0 +1,83 @@
+// Boxes, and a tree of boxes for finding what overlaps and what is near. Works in the plane too, with one coordinate
+// left at 0.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <vector>
+
+namespace meniscus {
+
+struct Box {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+
+  void add(const glm::dvec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
+  void add(const Box& b) { low = glm::min(low, b.low), high = glm::max(high, b.high); }
+  Box grown(double by) const { return {low - by, high + by}; }
+  bool overlaps(const Box& b) const {
+    return glm::all(glm::lessThanEqual(low, b.high)) && glm::all(glm::lessThanEqual(b.low, high));
+  }
+  double distance(const glm::dvec3& p) const { return glm::length(glm::max(glm::max(low - p, p - high), 0.0)); }
+};
+
+class Tree {
+ public:
+  explicit Tree(std::vector<Box> boxes);
+
+  // Calls leaf(index) for every box that overlaps `box`.
+  template <class Leaf>
+  void overlapping(const Box& box, Leaf leaf) const {
+    if (nodes_.empty()) return;
+    std::vector<std::uint32_t> stack{0};
+    while (!stack.empty()) {
+      const Node& node = nodes_[stack.back()];
+      stack.pop_back();
+      if (!node.box.overlaps(box)) continue;
+      if (node.count == 0) {
+        stack.push_back(node.first + 1), stack.push_back(node.first);
+      } else {
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+          if (boxes_[order_[i]].overlaps(box)) leaf(order_[i]);
+        }
+      }
+    }
+  }
+
+  // Calls leaf(index) -> bound, near boxes first, for every box nearer to p than the bound that leaf returned last.
+  template <class Leaf>
+  void nearest(const glm::dvec3& p, double bound, Leaf leaf) const {
+    if (!nodes_.empty()) visit(0, p, bound, leaf);
+  }
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t first;  // of its entries in order_, or of its two children where count is 0
+    std::uint32_t count;
+  };
+
+  void split(std::uint32_t node);
+
+  template <class Leaf>
+  void visit(std::uint32_t index, const glm::dvec3& p, double& bound, Leaf& leaf) const {
+    const Node& node = nodes_[index];
+    if (!(node.box.distance(p) <= bound)) return;
+    if (node.count == 0) {
+      const bool swap = nodes_[node.first + 1].box.distance(p) < nodes_[node.first].box.distance(p);
+      visit(node.first + swap, p, bound, leaf);
+      visit(node.first + !swap, p, bound, leaf);
+      return;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      if (boxes_[order_[i]].distance(p) <= bound) bound = leaf(order_[i]);
+    }
+  }
+
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace meniscus

@@ -1,0 +1,168 @@
+// The scene's tables and the closest-hit and visibility queries on them.
+#include "fetch.glsl"
+#include "shared/bindings.h"
+#include "shared/bvh_node.h"
+#include "shared/structs.h"
+
+FETCH_TABLE(BIND_SCENE, scene)
+FETCH_TABLE(BIND_NORMALS, normals)
+layout(set = 0, binding = BIND_SURFACES, std430) readonly buffer Surfaces { Surface surfaces[]; };
+layout(set = 0, binding = BIND_LIGHTS, std430) readonly buffer Lights { Light lights[]; };
+layout(set = 0, binding = BIND_CDF, std430) readonly buffer Cdf { uint cdf[]; };
+layout(set = 0, binding = BIND_TARGETS, std430) readonly buffer Targets { uint targets[]; };
+layout(set = 0, binding = BIND_COUNTERS, std430) buffer Counters { uint counters[]; };
+
+// What the plan says of the scene: dead code goes at pipeline creation.
+layout(constant_id = 0) const uint TRIANGLE_BASE = 0u;  // records of the table that are nodes
+layout(constant_id = 1) const bool HAS_DIRECTIONAL = true;
+layout(constant_id = 2) const bool HAS_LOCAL = true;    // point or spot lights
+layout(constant_id = 3) const bool HAS_AREA = true;
+layout(constant_id = 4) const bool HAS_MIRROR = true;
+layout(constant_id = 5) const bool HAS_DIELECTRIC = true;
+layout(constant_id = 6) const bool HAS_THIN = true;
+layout(constant_id = 7) const bool HAS_ABSORPTION = true;
+layout(constant_id = 8) const float SCENE_RADIUS = 1.0;
+
+const uint NO_TRIANGLE = 0xFFFFFFFFu;
+
+struct Hit {
+  float t;
+  uint triangle;     // NO_TRIANGLE: none
+  float u, v;        // barycentric weights of the second and third corner
+};
+
+const float MISS = 3.0e38;
+
+// Slab test of one child box: the entry distance, or MISS.
+float enter_box(vec3 low, vec3 high, vec3 origin, vec3 inverse, float t_max) {
+  vec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
+  vec3 near3 = min(a, b), far3 = max(a, b);
+  float near = max(max(near3.x, near3.y), max(near3.z, 0.0));
+  float far = min(min(far3.x, far3.y), min(far3.z, t_max)) * 1.0000004;  // rounding of the three products
+  return near <= far ? near : MISS;
+}
+
+// A ray's own axes: seen along it, triangles that share an edge see the same two points, so none slips between them (the idea of Woop
+// et al., "Watertight Ray/Triangle Intersection", JCGT 2013, with any two axes across the ray).
+struct RayFrame {
+  vec3 origin, across, up, along;
+};
+
+RayFrame make_frame(vec3 origin, vec3 direction) {
+  vec3 across = abs(direction.x) > 0.6 ? vec3(-direction.y, direction.x, 0.0) : vec3(0.0, -direction.z, direction.y);
+  return RayFrame(origin, across, cross(direction, across), direction);
+}
+
+vec3 see(RayFrame frame, vec3 corner) {
+  vec3 p = corner - frame.origin;
+  return vec3(dot(p, frame.across), dot(p, frame.up), dot(p, frame.along));
+}
+
+// Twice the signed area of (0, a, b); exactly the negative of the area of (0, b, a).
+float edge_area(vec3 a, vec3 b) {
+  precise float left = a.x * b.y, right = a.y * b.x;
+  precise float area = left - right;
+  return area;
+}
+
+void meet_triangle(RayFrame frame, uint triangle, inout Hit hit) {
+  uint record = 4u * (TRIANGLE_BASE + triangle);
+  vec3 a = see(frame, uintBitsToFloat(FETCH(scene, record).xyz));
+  vec3 b = see(frame, uintBitsToFloat(FETCH(scene, record + 1u).xyz));
+  vec3 c = see(frame, uintBitsToFloat(FETCH(scene, record + 2u).xyz));
+  float wa = edge_area(b, c), wb = edge_area(c, a), wc = edge_area(a, b);
+  bool inside = min(wa, min(wb, wc)) >= 0.0 || max(wa, max(wb, wc)) <= 0.0;
+  float sum = wa + wb + wc;
+  float t = (wa * a.z + wb * b.z + wc * c.z) / sum;
+  if (inside && sum != 0.0 && t > 0.0 && t < hit.t) hit = Hit(t, triangle, wb / sum, wc / sum);
+}
+
+uint rays_traced = 0u;  // by this invocation; added to the counter at its end
+
+// Closest hit of origin + t direction (a unit vector) with 0 < t < t_max, leaving out triangle `skip` (the one the ray starts on).
+// With any_hit the first one found. One loop over nodes and triangles alike: each turn fetches one 64-byte record.
+Hit intersect(vec3 origin, vec3 direction, float t_max, uint skip, bool any_hit) {
+  rays_traced += 1u;
+  Hit hit = Hit(t_max, NO_TRIANGLE, 0.0, 0.0);
+  RayFrame frame = make_frame(origin, direction);
+  vec3 safe = mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
+  vec3 inverse = 1.0 / safe;
+  uint stack[TRAVERSAL_STACK];
+  uint top = 0u;
+  uint reference = 0u;
+  uint step = 0u;
+  for (; step < TRAVERSAL_LIMIT && reference != BVH_EMPTY; ++step) {
+    bool pop = false;
+    if ((reference & BVH_LEAF) != 0u) {
+      uint triangle = reference & BVH_FIRST_MASK;
+      if (triangle != skip) meet_triangle(frame, triangle, hit);
+      uint more = (reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK;
+      // The next triangle of the leaf: one fewer left, one further on.
+      if (more != 0u) reference = reference - (1u << BVH_COUNT_SHIFT) + 1u;
+      pop = more == 0u;
+      if (any_hit && hit.triangle != NO_TRIANGLE) {
+        top = 0u;
+        pop = true;
+      }
+    } else {
+      uint record = 4u * reference;
+      uvec4 low0 = FETCH(scene, record), high0 = FETCH(scene, record + 1u);
+      uvec4 low1 = FETCH(scene, record + 2u), high1 = FETCH(scene, record + 3u);
+      float near0 = enter_box(uintBitsToFloat(low0.xyz), uintBitsToFloat(high0.xyz), origin, inverse, hit.t);
+      float near1 = enter_box(uintBitsToFloat(low1.xyz), uintBitsToFloat(high1.xyz), origin, inverse, hit.t);
+      bool hit0 = near0 < MISS, hit1 = near1 < MISS;
+      bool swap = near1 < near0;
+      uint first = swap ? high0.w : low0.w, second = swap ? low0.w : high0.w;
+      if (hit0 && hit1) {
+        stack[top] = second;
+        top += 1u;
+      }
+      reference = first;
+      pop = !hit0 && !hit1;
+    }
+    if (pop) {
+      reference = BVH_EMPTY;
+      if (top > 0u) {
+        top -= 1u;
+        reference = stack[top];
+      }
+    }
+  }
+  if (step == TRAVERSAL_LIMIT) atomicAdd(counters[COUNTER_TRAVERSAL_LIMIT], 1u);
+  return hit;
+}
+
+vec3 triangle_point(uint triangle, float u, float v) {
+  uint record = 4u * (TRIANGLE_BASE + triangle);
+  vec3 a = uintBitsToFloat(FETCH(scene, record).xyz);
+  return a + u * (uintBitsToFloat(FETCH(scene, record + 1u).xyz) - a) + v * (uintBitsToFloat(FETCH(scene, record + 2u).xyz) - a);
+}
+uint triangle_material(uint triangle) { return FETCH(scene, 4u * (TRIANGLE_BASE + triangle)).w; }
+// 1 where the triangle belongs to a meniscus.
+uint triangle_meniscus(uint triangle) { return FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 1u).w; }
+vec3 geometric_normal(uint triangle) { return uintBitsToFloat(FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 3u).xyz); }
+vec3 shading_normal(uint triangle, float u, float v) {
+  uint record = 3u * triangle;
+  return normalize((1.0 - u - v) * uintBitsToFloat(FETCH(normals, record).xyz) + u * uintBitsToFloat(FETCH(normals, record + 1u).xyz) +
+                   v * uintBitsToFloat(FETCH(normals, record + 2u).xyz));
+}
+
+// A start for rays that leave `point` on the side of `normal`: off the surface by some rounding errors of its coordinates.
+vec3 leave(vec3 point, vec3 normal) {
+  vec3 size = abs(point);
+  return point + normal * (2e-7 * max(size.x, max(size.y, size.z)) + 2e-8 * SCENE_RADIUS);
+}
+
+// The entry of cdf[first .. first + count) whose interval holds `bits`, and where in the interval it falls, in [0, 1).
+uint pick(uint first, uint count, uint bits, out float rest) {
+  uint low = 0u, high = count - 1u;
+  for (uint i = 0u; i < 32u && low < high; ++i) {
+    uint middle = (low + high) >> 1u;
+    if (bits < cdf[first + middle]) high = middle;
+    else low = middle + 1u;
+  }
+  uint start = low == 0u ? 0u : cdf[first + low - 1u];
+  uint width = cdf[first + low] - start;
+  rest = min(float(bits - start) / float(width), 0.99999994);
+  return low;
+}

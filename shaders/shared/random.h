@@ -1,0 +1,75 @@
+// Counter-based random numbers: a number depends on (seed, pass, index, dimension) and on nothing else, so the GPU and the
+// reference path draw the same ones, in any order. All uniform numbers are half-open, [0, 1).
+#ifndef MENISCAL_RANDOM_H
+#define MENISCAL_RANDOM_H
+#include "dialect.h"
+
+SHARED_BEGIN
+
+// Dimensions of a photon's or camera path's number sequence. Paths take BOUNCE_DIMENSIONS numbers a bounce from FIRST_BOUNCE on.
+const uint DIM_LIGHT = 2u, DIM_LIGHT_U = 3u, DIM_LIGHT_V = 4u, DIM_COSINE = 5u, DIM_FIRST_BOUNCE = 8u;
+const uint BOUNCE_DIMENSIONS = 2u;  // 0: specular or diffuse, 1: reflect or refract
+// What the numbers are drawn for: keeps photons of the strata and camera paths apart.
+const uint STREAM_TARGETED = 0u, STREAM_CAUSTIC = 1u, STREAM_CAMERA = 2u;
+
+// Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020: pcg4d.
+SHARED uvec4 pcg4d(uvec4 v) {
+  v = v * 1664525u + 1013904223u;
+  v.x += v.y * v.w;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v.w += v.y * v.z;
+  v = v ^ (v >> 16u);
+  v.x += v.y * v.w;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v.w += v.y * v.z;
+  return v;
+}
+
+// The 24 leading bits as a float in [0, 1).
+SHARED float unit_float(uint bits) { return float(bits >> 8u) * 5.9604644775390625e-8f; }
+
+// One sequence: of one photon or one pixel in one pass.
+struct RandomKey {
+  uint seed, pass, stream, index;
+};
+
+SHARED uint random_bits(RandomKey key, uint dimension) {
+  return pcg4d(uvec4(key.index, key.pass, key.seed ^ (key.stream * 0x9E3779B9u), dimension)).x;
+}
+SHARED float random_unit(RandomKey key, uint dimension) { return unit_float(random_bits(key, dimension)); }
+
+SHARED uint reverse_bits(uint x) {
+  x = (x << 16u) | (x >> 16u);
+  x = ((x & 0x00FF00FFu) << 8u) | ((x & 0xFF00FF00u) >> 8u);
+  x = ((x & 0x0F0F0F0Fu) << 4u) | ((x & 0xF0F0F0F0u) >> 4u);
+  x = ((x & 0x33333333u) << 2u) | ((x & 0xCCCCCCCCu) >> 2u);
+  return ((x & 0x55555555u) << 1u) | ((x & 0xAAAAAAAAu) >> 1u);
+}
+
+// Nested uniform (Owen) scrambling of a base-2 number by hashing its reversed bits: Laine and Karras 2011.
+SHARED uint owen_scramble(uint x, uint seed) {
+  x = reverse_bits(x);
+  x += seed;
+  x ^= x * 0x6C50B47Cu;
+  x ^= x * 0xB82F1E52u;
+  x ^= x * 0xC7AFE638u;
+  x ^= x * 0x8D22F6E6u;
+  return reverse_bits(x);
+}
+
+// The index-th point of the first two Sobol dimensions, Owen-scrambled: stratified in the square over any 2^k consecutive indices,
+// each point alone uniform. `key.index` is the point; the scrambling depends on the rest of the key, so passes are independent.
+SHARED uvec2 sobol_point(RandomKey key) {
+  uint y = 0u, v = 0x80000000u;
+  for (uint i = key.index; i != 0u; i >>= 1u) {
+    if ((i & 1u) != 0u) y ^= v;
+    v ^= v >> 1u;
+  }
+  uvec4 scramble = pcg4d(uvec4(key.pass, key.seed, key.stream, 0x5CA4B1Eu));
+  return uvec2(owen_scramble(reverse_bits(key.index), scramble.x), owen_scramble(y, scramble.y));
+}
+
+SHARED_END
+#endif

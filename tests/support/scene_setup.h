@@ -1,0 +1,57 @@
+// Scenes, worlds and backends as the program makes them, for tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <memory>
+
+#include "host/cli/render_settings.h"
+#include "host/reference/backend.h"
+#include "host/render/gpu_backend.h"
+#include "host/render/progressive.h"
+
+namespace meniscal::test {
+
+struct Setup {
+  Scene scene;
+  World world;
+  RenderSettings settings;
+};
+
+// `name`: of scenes/NAME.gltf. `edit` changes the scene before its menisci are built.
+inline std::unique_ptr<Setup> make_setup(const std::string& name, const RenderOptions& options,
+                                         const std::function<void(Scene&)>& edit = {}) {
+  Scene scene = load_gltf(std::string(SCENES) + "/" + name + ".gltf");
+  if (edit) edit(scene);
+  World world = build_world(scene, options.meniscus);
+  RenderSettings settings = choose_settings(options, scene, world);
+  return std::make_unique<Setup>(Setup{std::move(scene), std::move(world), std::move(settings)});
+}
+
+inline RenderOptions small_options(std::uint32_t photons, int width = 64, int height = 64) {
+  RenderOptions options;
+  options.meniscus = MeniscusModel::paper;
+  options.photons = photons;
+  options.resolution = Resolution{width, height};
+  options.specular_bounces = 8;
+  return options;
+}
+
+// Skipped where there is no driver, visibly; on CI there must be one.
+inline bool have_device() {
+  const bool have = !gpu::list_devices().empty();
+  if (!have && std::getenv("CI")) ADD_FAILURE() << "no Vulkan device on a CI machine; install mesa-vulkan-drivers";
+  return have;
+}
+#define REQUIRE_DEVICE() \
+  if (!meniscal::test::have_device()) GTEST_SKIP() << "no Vulkan device: install mesa-vulkan-drivers"
+
+inline const Stratum* find_stratum(const World& world, const std::string& name) {
+  for (const Stratum& s : world.strata)
+    if (s.name == name) return &s;
+  return nullptr;
+}
+
+}  // namespace meniscal::test

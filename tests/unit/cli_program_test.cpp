@@ -1,0 +1,152 @@
+// The built program: exit codes and messages.
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "gtest/gtest.h"
+#include "host/image/exr.h"
+#include "tests/unit/image_temporary_folder.h"
+
+namespace meniscal {
+namespace {
+
+using test::TemporaryFolder;
+
+struct Outcome {
+  int code;
+  std::string output, error;
+};
+
+const std::string kPool = "render \"" SCENES "/flat_water.gltf\"";
+
+Outcome meniscal(const TemporaryFolder& folder, const std::string& arguments, const std::string& prefix = "") {
+  const std::string out = folder / "stdout", err = folder / "stderr";
+  const std::string command = prefix + "\"" MENISCAL_PROGRAM "\" " + arguments + " >\"" + out + "\" 2>\"" + err + "\"";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::read_bytes(out), test::read_bytes(err)};
+}
+
+void write_grey(const std::string& path, float value, int width = 2) {
+  Image image;
+  image.width = width, image.height = 1;
+  image.layers = {{"", {"R", "G", "B"}, std::vector<float>(3 * image.pixel_count(), value)}};
+  write_exr(path, image);
+}
+
+TEST(Program, SaysItsVersion) {
+  const TemporaryFolder folder;
+  const Outcome o = meniscal(folder, "--version");
+  EXPECT_EQ(o.code, 0);
+  EXPECT_EQ(o.output.rfind("meniscal ", 0), 0u) << o.output;
+}
+
+TEST(Program, EveryCommandHasHelpWithAnExample) {
+  const TemporaryFolder folder;
+  for (const std::string command : {"", "render", "info", "devices", "compare"}) {
+    const Outcome o = meniscal(folder, command + " --help");
+    EXPECT_EQ(o.code, 0) << command;
+    EXPECT_NE(o.output.find("Example: meniscal " + command), std::string::npos) << o.output;
+  }
+}
+
+TEST(Program, WrongUsageIsTwoAndNamesWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::pair<std::string, std::string> cases[] = {{"", "subcommand"},
+                                                       {"rendr scene.gltf", "rendr"},
+                                                       {"render", "SCENE"},
+                                                       {"render a.gltf --resolution 3", "--resolution"},
+                                                       {"render a.gltf --unknown", "--unknown"},
+                                                       {"compare a.exr", "B"},
+                                                       {"compare a.exr b.exr --max-rmse nan", "--max-rmse"}};
+  for (const auto& [arguments, named] : cases) {
+    const Outcome o = meniscal(folder, arguments);
+    EXPECT_EQ(o.code, 2) << arguments;
+    EXPECT_NE(o.error.find(named), std::string::npos) << o.error;
+    EXPECT_NE(o.error.find("--help"), std::string::npos) << o.error;
+    EXPECT_TRUE(o.output.empty()) << o.output;
+  }
+}
+
+TEST(Program, AMissingSceneIsThreeAndNamed) {
+  const TemporaryFolder folder;
+  for (const std::string command : {"render", "info"}) {
+    const Outcome o = meniscal(folder, command + " \"" + folder / "missing.gltf" + "\"");
+    EXPECT_EQ(o.code, 3) << command;
+    EXPECT_NE(o.error.find("missing.gltf"), std::string::npos) << o.error;
+  }
+}
+
+TEST(Program, AnOutputThatCannotBeWrittenIsOneBeforeRendering) {
+  const TemporaryFolder folder;
+  const Outcome o = meniscal(folder, kPool + " --passes 4000000000 -o \"" + folder / "missing/a.exr" + "\"");
+  EXPECT_EQ(o.code, 1);
+  EXPECT_NE(o.error.find("missing/a.exr"), std::string::npos) << o.error;
+}
+
+TEST(Program, AMissingDeviceIsFourAndNamed) {
+  const TemporaryFolder folder;
+  const Outcome o = meniscal(folder, kPool + " --device abacus -o \"" + folder / "a.exr" + "\"");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_NE(o.error.find("abacus"), std::string::npos) << o.error;
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.exr"));
+}
+
+TEST(Program, AnInterruptWritesTheImageSoFar) {
+  const TemporaryFolder folder;
+  const std::string image = folder / "a.exr";
+  const Outcome o =
+      meniscal(folder, kPool + " --device cpu --resolution 4x3 --photons 10 --passes 4000000000 -o \"" + image + "\"",
+               "timeout --preserve-status --signal=INT 2 ");
+  EXPECT_EQ(o.code, 130) << o.error;
+  EXPECT_NE(o.error.find("a.exr"), std::string::npos) << o.error;
+  EXPECT_EQ(read_exr(image).width, 4);
+}
+
+TEST(Program, CompareTellsEqualFromDifferent) {
+  const TemporaryFolder folder;
+  write_grey(folder / "one.exr", 1);
+  write_grey(folder / "more.exr", 1.25f);
+  write_grey(folder / "wide.exr", 1, 3);
+  const std::string both = "compare \"" + folder / "more.exr" + "\" \"" + folder / "one.exr" + "\"";
+  EXPECT_EQ(meniscal(folder, both).code, 0);
+  EXPECT_EQ(meniscal(folder, both + " --max-rmse 0.26").code, 0);
+  const Outcome above = meniscal(folder, both + " --max-rmse 0.24");
+  EXPECT_EQ(above.code, 1);
+  EXPECT_NE(above.error.find("0.25"), std::string::npos) << above.error;
+
+  const nlohmann::json json = nlohmann::json::parse(meniscal(folder, both + " --json").output);
+  EXPECT_EQ(json.at("layers").at(0).at("layer"), "beauty");
+  EXPECT_EQ(json.at("layers").at(0).at("relative_rmse"), 0.25);
+  EXPECT_EQ(json.at("layers").at(0).at("mean_ratio"), 1.25);
+
+  const Outcome sizes = meniscal(folder, "compare \"" + folder / "one.exr" + "\" \"" + folder / "wide.exr" + "\"");
+  EXPECT_EQ(sizes.code, 3);
+  EXPECT_NE(sizes.error.find("3 x 1"), std::string::npos) << sizes.error;
+  const Outcome missing = meniscal(folder, "compare \"" + folder / "none.exr" + "\" \"" + folder / "one.exr" + "\"");
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_NE(missing.error.find("none.exr"), std::string::npos) << missing.error;
+}
+
+TEST(Program, CompareFindsNoBoundForWhatIsNotANumber) {
+  const TemporaryFolder folder;
+  write_grey(folder / "nan.exr", std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(
+      meniscal(folder, "compare \"" + folder / "nan.exr" + "\" \"" + folder / "nan.exr" + "\" --max-rmse 1e9").code, 1);
+}
+
+TEST(Program, SwallowedOutputIsAFailure) {
+  const int status = std::system("\"" MENISCAL_PROGRAM "\" devices >/dev/full 2>/dev/null");
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
+TEST(Program, ListsDevicesAndTheReferencePath) {
+  const TemporaryFolder folder;
+  const Outcome o = meniscal(folder, "devices");
+  EXPECT_EQ(o.code, 0);
+  EXPECT_NE(o.output.find("cpu"), std::string::npos) << o.output;
+  EXPECT_TRUE(nlohmann::json::parse(meniscal(folder, "devices --json").output).at("devices").is_array());
+}
+
+}  // namespace
+}  // namespace meniscal

@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""Writes scenes/NAME.gltf: the paper's figures and the scenes with analytic answers.
+
+Usage: tools/scenes/make_scenes.py NAME...|all"""
+import math
+import os
+import sys
+
+from gltf_writer import Scene, rotation
+from shapes import box, cylinder, frame, sphere, square
+
+MM = 1e-3
+CAMERA_DEPTH = 6 * MM       # below every meniscus and every stub: the camera sees the floor directly
+VIEW_HALF_WIDTH = 12.2 * MM  # that of the reference tables
+
+
+def add_water(scene, half_width, depth):
+    water = scene.material("water", roughness=0, meniscus_liquid="water", extensions={
+        "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.333},
+        "KHR_materials_volume": {"thicknessFactor": depth}})
+    scene.mesh("water", square(half_width, 0), water)
+
+
+def matte(scene, name, albedo, **properties):
+    color = albedo if isinstance(albedo, tuple) else (albedo,) * 3
+    return scene.material(name, color, extensions={"KHR_materials_specular": {"specularFactor": 0}}, **properties)
+
+
+def bench(depth=50 * MM, camera_depth=CAMERA_DEPTH, sun=True):
+    """Water over a Lambertian floor, seen from below the surface; the sun is vertical, 1 lx."""
+    scene = Scene()
+    scene.mesh("floor", square(32 * MM, -depth), matte(scene, "floor", 0.5, meniscus_ignore=1))
+    add_water(scene, 30 * MM, depth)
+    scene.camera((0, -camera_depth, 0), (0, -depth, 0), half_width=VIEW_HALF_WIDTH)
+    if sun:
+        scene.light("sun", "directional", 1, (0, 100 * MM, 0), (0, 0, 0))
+    return scene
+
+
+def add_post(scene, bottom, x=0.0, material=None):
+    """Posts that stand on the floor reach 1 mm into it: no two faces coincide."""
+    if material is None:
+        material = matte(scene, "post", 0, meniscus_contact_angle=30)
+    name = "post" if x == 0 else f"post {'left' if x < 0 else 'right'}"
+    scene.mesh(name, cylinder(2 * MM, (x, bottom, 0), (x, 10 * MM, 0), 256), material)
+    return material
+
+
+def post():
+    scene = bench()
+    add_post(scene, -51 * MM)
+    return scene
+
+
+def post_stub():
+    scene = bench()
+    add_post(scene, -5 * MM)
+    return scene
+
+
+def flat_water():
+    return bench()
+
+
+def two_posts():
+    """Gap 1 mm, as in evolver_two_*.csv."""
+    scene = bench(depth=20 * MM)
+    material = add_post(scene, -21 * MM, x=-2.5 * MM)
+    add_post(scene, -21 * MM, x=2.5 * MM, material=material)
+    return scene
+
+
+def sphere_scene():
+    scene = bench(depth=20 * MM)
+    scene.mesh("sphere", sphere(4 * MM, (0, 0, 0), 96, 47), matte(scene, "sphere", 0, meniscus_contact_angle=30))
+    return scene
+
+
+def box_scene():
+    scene = bench(depth=20 * MM)
+    scene.mesh("box", box((-4 * MM, -5 * MM, -4 * MM), (4 * MM, 5 * MM, 4 * MM)),
+               matte(scene, "box", 0, meniscus_contact_angle=30), rotation=rotation((0, 1, 0), 30))
+    return scene
+
+
+def area_light():
+    scene = bench(sun=False)
+    add_post(scene, -51 * MM)
+    lamp = matte(scene, "lamp", 0, emissive=10, meniscus_ignore=1)
+    scene.mesh("lamp", square(15 * MM, 100 * MM, facing=-1), lamp)
+    return scene
+
+
+def point_light():
+    scene = bench(sun=False)
+    add_post(scene, -51 * MM)
+    scene.light("lamp", "point", 0.01, (10 * MM, 100 * MM, 0), (0, 0, 0))
+    return scene
+
+
+def spot_light():
+    scene = bench(sun=False)
+    add_post(scene, -51 * MM)
+    scene.light("lamp", "spot", 0.01, (10 * MM, 100 * MM, 0), (0, 0, 0),
+                spot={"innerConeAngle": math.radians(5), "outerConeAngle": math.radians(12)})
+    return scene
+
+
+def shadow_sausage():
+    """The paper's figure 2: a tilted rod in a dish of water under the sun; its shadow is broken at the water line."""
+    depth, from_vertical = 45 * MM, math.radians(25)
+    scene = Scene()
+    scene.mesh("dish", frame(60 * MM, 64 * MM, -depth - 4 * MM, 5 * MM, -depth), matte(scene, "dish", (0.55, 0.5, 0.42), meniscus_ignore=1))
+    scene.mesh("table", square(200 * MM, -depth - 4 * MM), matte(scene, "table", (0.42, 0.28, 0.17), meniscus_ignore=1))
+    add_water(scene, 61 * MM, depth)  # 1 mm into the dish's walls
+    along = math.sqrt(0.5)            # 45 degrees, leaning to +x
+    below, above = 40 * MM, 48 * MM   # of the rod, measured along it
+    rod = scene.material("rod", (0.02, 0.02, 0.025), roughness=0.6, meniscus_contact_angle=30)
+    scene.mesh("rod", cylinder(2 * MM, (-below * along, -below * along, 0), (above * along, above * along, 0), 128, 40), rod)
+    # From behind, so that the shadow falls in front of the rod.
+    sun = (0, math.cos(from_vertical), -math.sin(from_vertical))
+    scene.light("sun", "directional", 2000, sun, (0, 0, 0), extras={"angular_diameter": 0})
+    scene.camera((0, 150 * MM, 95 * MM), (0, -22 * MM, 9 * MM), yfov=22, aspect=4 / 3)
+    return scene
+
+
+SCENES = {"area_light": area_light, "box": box_scene, "flat_water": flat_water, "point_light": point_light, "post": post,
+          "post_stub": post_stub, "shadow_sausage": shadow_sausage, "sphere": sphere_scene, "spot_light": spot_light,
+          "two_posts": two_posts}
+
+
+def main(names):
+    if not names or any(name not in SCENES and name != "all" for name in names):
+        sys.exit(f"{__doc__}\nNAME is one of: {', '.join(SCENES)}")
+    folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scenes")
+    os.makedirs(folder, exist_ok=True)
+    for name in SCENES if "all" in names else names:
+        SCENES[name]().write(os.path.join(folder, name + ".gltf"))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

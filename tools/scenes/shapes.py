@@ -1,0 +1,121 @@
+"""Meshes as (positions, normals, triangles), counter-clockwise from outside. Lengths in metres, Y up."""
+import math
+
+
+def square(half_width, y, facing=1):
+    """Two triangles in the plane y, facing up (1) or down (-1)."""
+    a = half_width
+    positions = [(-a, y, -a), (-a, y, a), (a, y, a), (a, y, -a)]
+    triangles = [(0, 1, 2), (0, 2, 3)] if facing > 0 else [(0, 2, 1), (0, 3, 2)]
+    return positions, [(0, facing, 0)] * 4, triangles
+
+
+def cylinder(radius, bottom, top, facets, segments=1):
+    """A closed rod from the point `bottom` to the point `top`: smooth normals on the side, flat caps. Segments along it keep the
+    triangles of a slanting rod short, and their boxes small."""
+    axis = [t - b for t, b in zip(top, bottom)]
+    length = math.sqrt(sum(c * c for c in axis))
+    w = [c / length for c in axis]
+    # u, v and the axis: right-handed; the rods here are never parallel to z.
+    n = math.hypot(w[0], w[1])
+    u = [w[1] / n, -w[0] / n, 0.0]
+    v = [w[1] * u[2] - w[2] * u[1], w[2] * u[0] - w[0] * u[2], w[0] * u[1] - w[1] * u[0]]
+    positions, normals, triangles = [], [], []
+    rim = []
+    for i in range(facets):
+        angle = 2 * math.pi * i / facets
+        rim.append([math.cos(angle) * a + math.sin(angle) * b for a, b in zip(u, v)])
+
+    def ring(centre, normal):
+        first = len(positions)
+        for outward in rim:
+            positions.append(tuple(c + radius * o for c, o in zip(centre, outward)))
+            normals.append(tuple(normal or outward))
+        return first
+
+    rings = [ring([b + (t - b) * k / segments for b, t in zip(bottom, top)], None) for k in range(segments + 1)]
+    for low, high in zip(rings, rings[1:]):
+        for i in range(facets):
+            j = (i + 1) % facets
+            triangles += [(low + i, low + j, high + j), (low + i, high + j, high + i)]
+    for centre, normal in ((bottom, [-c for c in w]), (top, w)):
+        first = ring(centre, normal)
+        middle = len(positions)
+        positions.append(tuple(centre))
+        normals.append(tuple(normal))
+        for i in range(facets):
+            j = (i + 1) % facets
+            a, b = (first + i, first + j) if normal is w else (first + j, first + i)
+            triangles.append((middle, a, b))
+    return positions, normals, triangles
+
+
+def sphere(radius, centre, around, rings):
+    """A closed sphere of `rings` bands between the poles; an odd number has no ring of vertices at the equator."""
+    positions, normals, triangles = [], [], []
+
+    def vertex(polar, angle):
+        n = (math.sin(polar) * math.cos(angle), math.cos(polar), math.sin(polar) * math.sin(angle))
+        positions.append(tuple(c + radius * k for c, k in zip(centre, n)))
+        normals.append(n)
+
+    vertex(0, 0)
+    for i in range(1, rings):
+        for k in range(around):
+            vertex(math.pi * i / rings, 2 * math.pi * k / around)
+    positions.append((centre[0], centre[1] - radius, centre[2]))
+    normals.append((0, -1, 0))
+    south = len(positions) - 1
+    for k in range(around):
+        m = (k + 1) % around
+        triangles.append((0, 1 + m, 1 + k))
+        for i in range(rings - 2):
+            a, b = 1 + i * around, 1 + (i + 1) * around
+            triangles += [(a + k, a + m, b + m), (a + k, b + m, b + k)]
+        last = 1 + (rings - 2) * around
+        triangles.append((south, last + k, last + m))
+    return positions, normals, triangles
+
+
+def box(low, high):
+    """A closed box between two corners, flat normals."""
+    return boxes([(low, high, (1, 1, 1, 1, 1, 1))])
+
+
+def boxes(parts):
+    """Faces of axis-parallel boxes in one mesh: (low, high, faces), faces flagged -x +x -y +y -z +z; a flag of -1 turns a face inward."""
+    positions, normals, triangles = [], [], []
+    for low, high, faces in parts:
+        for face, flag in enumerate(faces):
+            if flag == 0:
+                continue
+            axis, side = divmod(face, 2)
+            u, v = (axis + 1) % 3, (axis + 2) % 3
+            first = len(positions)
+            for cu, cv in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                p = [0, 0, 0]
+                p[axis] = (low, high)[side][axis]
+                p[u] = (low, high)[cu][u]
+                p[v] = (low, high)[cv][v]
+                positions.append(tuple(p))
+            outward = flag * (1 if side else -1)
+            normals += [tuple(outward if k == axis else 0 for k in range(3))] * 4
+            a, b, c, d = range(first, first + 4)
+            triangles += [(a, b, c), (a, c, d)] if outward > 0 else [(a, c, b), (a, d, c)]
+    return positions, normals, triangles
+
+
+def frame(inner, outer, low, high, floor):
+    """An open square dish, closed as a solid: inner and outer half-width, underside, rim, and the height of its floor."""
+    i, o = inner, outer
+    shell = ((-o, low, -o), (o, high, o), (1, 1, 1, 0, 1, 1))
+    hollow = ((-i, floor, -i), (i, high, i), (-1, -1, -1, 0, -1, -1))
+    positions, normals, triangles = boxes([shell, hollow])
+    first = len(positions)
+    for half in (i, o):
+        positions += [(-half, high, -half), (-half, high, half), (half, high, half), (half, high, -half)]
+    normals += [(0, 1, 0)] * 8
+    for k in range(4):
+        a, b = first + k, first + (k + 1) % 4
+        triangles += [(a, a + 4, b + 4), (a, b + 4, b)]
+    return positions, normals, triangles
