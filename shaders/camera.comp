@@ -61,6 +61,6 @@ void main() {
     }
     scatter_specular(path, point, triangle, shading, surface, random_unit(random, dimension + 1u));
   }
-  samples[slot] = s;
+  samples[slot - push.buffer_first] = s;
   atomicAdd(counters[COUNTER_RAYS], rays_traced);
 }

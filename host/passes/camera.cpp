@@ -20,8 +20,10 @@ gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, co
 
 }  // namespace
 
-CameraPass::CameraPass(const gpu::Device& device, const SceneTables& tables, const gpu::Buffer& samples)
-    : pass_(make_pass(device, tables)), buffers_(bind(pass_, tables, samples)) {}
+CameraPass::CameraPass(const gpu::Device& device, const SceneTables& tables, const std::vector<PixelTile>& tiles)
+    : pass_(make_pass(device, tables)), tiles_(tiles) {
+  for (const PixelTile& tile : tiles) buffers_.push_back(bind(pass_, tables, tile.samples));
+}
 
 void CameraPass::run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::uint32_t pass) {
   const CameraAxes axes = camera_axes(settings.camera, settings.width, settings.height);
@@ -40,11 +42,14 @@ void CameraPass::run(gpu::Commands& commands, const World& world, const RenderSe
   push.light_first = world.light_first;
   push.light_count = static_cast<std::uint32_t>(world.lights.size());
   push.specular_bounces = settings.specular_bounces;
-  batch_.run(commands, static_cast<std::uint32_t>(settings.crop.pixels()), [&](std::uint32_t first, std::uint32_t count) {
-    push.first = first;
-    push.count = count;
-    commands.dispatch(pass_, buffers_, push, groups_of_64(count));
-  });
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    push.buffer_first = tiles_[t].first;
+    batch_.run(commands, tiles_[t].count, [&](std::uint32_t first, std::uint32_t count) {
+      push.first = tiles_[t].first + first;
+      push.count = count;
+      commands.dispatch(pass_, buffers_[t], push, groups_of_64(count));
+    });
+  }
 }
 
 }  // namespace meniscal::passes

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/passes/batch.h"
+#include "host/passes/pixels.h"
 #include "host/passes/scene_tables.h"
 #include "host/render/settings.h"
 
@@ -9,13 +10,14 @@ namespace meniscal::passes {
 
 class CameraPass {
  public:
-  // Writes PixelSample[crop pixels] into `samples`.
-  CameraPass(const gpu::Device& device, const SceneTables& tables, const gpu::Buffer& samples);
+  // `tiles` must outlive the pass, which writes their samples.
+  CameraPass(const gpu::Device& device, const SceneTables& tables, const std::vector<PixelTile>& tiles);
   void run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::uint32_t pass);
 
  private:
   gpu::ComputePass pass_;
-  gpu::BindingSet buffers_;
+  const std::vector<PixelTile>& tiles_;
+  std::vector<gpu::BindingSet> buffers_;  // by tile
   Batch batch_;
 };
 

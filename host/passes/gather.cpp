@@ -14,23 +14,29 @@ std::vector<gpu::Binding> layout(bool texel) {
 
 }  // namespace
 
-GatherPass::GatherPass(const gpu::Device& device, const CellsPass& map, const gpu::Buffer& samples, bool texel)
+GatherPass::GatherPass(const gpu::Device& device, const CellsPass& map, const std::vector<PixelTile>& tiles, bool texel)
     : counters_(device, "gather counters", shared::COUNTERS * 4),
       pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush)),
-      buffers_(pass_.bind({{0, map.photons, gpu::Format::rgba32ui}, {1, map.cells}, {2, samples}, {3, counters_}})) {}
+      tiles_(tiles) {
+  for (const PixelTile& tile : tiles)
+    buffers_.push_back(pass_.bind(
+        {{0, map.photons, gpu::Format::rgba32ui}, {1, map.cells}, {2, tile.samples}, {3, counters_}}));
+}
 
-void GatherPass::run(gpu::Commands& commands, std::uint32_t pixels, const Grid& grid, double radius, std::uint32_t stream) {
+void GatherPass::run(gpu::Commands& commands, const Grid& grid, double radius, std::uint32_t stream) {
   shared::GatherPush push{};
   push.radius = static_cast<float>(radius);
   push.cell_size = grid.cell_size;
   push.cell_mask = grid.mask;
-  push.pixels = pixels;
   push.map = stream;
   commands.fill(counters_, 0);
   std::uint32_t most = 0;
   while (push.first_candidate <= most) {
     commands.barrier();
-    commands.dispatch(pass_, buffers_, push, groups_of_64(pixels));
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+      push.pixels = tiles_[t].count;
+      commands.dispatch(pass_, buffers_[t], push, groups_of_64(push.pixels));
+    }
     commands.submit_and_wait();
     most = counters_.download<std::uint32_t>()[shared::COUNTER_MOST_CANDIDATES];
     push.first_candidate += shared::GATHER_ROUND;

@@ -2,20 +2,22 @@
 #pragma once
 
 #include "host/passes/cells.h"
+#include "host/passes/pixels.h"
 
 namespace meniscal::passes {
 
 class GatherPass {
  public:
-  // Adds to PixelSample[] in `samples`.
-  GatherPass(const gpu::Device& device, const CellsPass& map, const gpu::Buffer& samples, bool texel);
+  // `tiles` must outlive the pass, which adds to their samples.
+  GatherPass(const gpu::Device& device, const CellsPass& map, const std::vector<PixelTile>& tiles, bool texel);
   // Submits as many rounds as the pixel with the most candidates needs, after what is recorded already.
-  void run(gpu::Commands& commands, std::uint32_t pixels, const Grid& grid, double radius, std::uint32_t stream);
+  void run(gpu::Commands& commands, const Grid& grid, double radius, std::uint32_t stream);
 
  private:
   gpu::Buffer counters_;
   gpu::ComputePass pass_;
-  gpu::BindingSet buffers_;
+  const std::vector<PixelTile>& tiles_;
+  std::vector<gpu::BindingSet> buffers_;  // by tile
 };
 
 }  // namespace meniscal::passes

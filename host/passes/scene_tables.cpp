@@ -66,7 +66,7 @@ std::vector<std::uint32_t> scene_constants(const World& world) {
 
 }  // namespace
 
-SceneTables::SceneTables(const gpu::Device& device, const World& world, std::size_t largest_table)
+SceneTables::SceneTables(const gpu::Device& device, const World& world, std::size_t largest_table, bool allow_texel)
     : scene(upload(device, "scene", scene_texels(world))),
       normals(upload(device, "normals", normal_texels(world))),
       surfaces(upload(device, "surfaces", world.surfaces)),
@@ -75,7 +75,7 @@ SceneTables::SceneTables(const gpu::Device& device, const World& world, std::siz
       targets(upload(device, "targets", world.targets)),
       counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
       constants(scene_constants(world)),
-      texel(std::max(largest_table, scene.bytes() / sizeof(Texel)) <= device.limits().max_texel_elements) {}
+      texel(allow_texel && std::max(largest_table, scene.bytes() / sizeof(Texel)) <= device.limits().max_texel_elements) {}
 
 void SceneTables::collect_counters() {
   const auto now = counters.download<std::uint32_t>();

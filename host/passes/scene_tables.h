@@ -11,8 +11,9 @@ struct SceneTables {
   std::vector<std::uint32_t> constants;  // specialisation constants of scene.glsl, in order of their ids
   bool texel;                            // tables are read through texel buffers: how shaders are to be compiled
 
-  // `largest_table`: 16-byte elements of the largest other table that shaders will read; decides `texel`.
-  SceneTables(const gpu::Device& device, const World& world, std::size_t largest_table);
+  // Texel buffers are used where `allow_texel`, and where the largest table fits: `largest_table` is the number of 16-byte
+  // elements of the largest that shaders will read beside these.
+  SceneTables(const gpu::Device& device, const World& world, std::size_t largest_table, bool allow_texel);
 
   // Adds the GPU's 32-bit counters to `sums` and clears them: once a pass, before they run over.
   void collect_counters();

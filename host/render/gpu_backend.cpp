@@ -25,12 +25,12 @@ struct MapPasses {
   passes::CellsPass cells;
   passes::GatherPass gather;
 
-  MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const gpu::Buffer& samples, std::size_t capacity)
+  MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles, std::size_t capacity)
       : photons(device, capacity),
         trace(device, tables, photons),
         sort(device, photons.keys, capacity),
         cells(device, photons, sort, capacity, tables.texel),
-        gather(device, cells, samples, tables.texel) {}
+        gather(device, cells, tiles, tables.texel) {}
 };
 
 }  // namespace
@@ -43,19 +43,19 @@ struct GpuBackend::Passes {
   Clock::time_point start = Clock::now();
   passes::SceneTables tables;
   double upload_seconds = seconds_since(start), compile_seconds;
-  gpu::Buffer samples;
+  std::vector<passes::PixelTile> tiles;
   passes::CameraPass camera;
   std::optional<MapPasses> maps;
 
-  Passes(gpu::Device d, const World& w, RenderSettings s)
+  Passes(gpu::Device d, const World& w, RenderSettings s, bool allow_texel)
       : device(std::move(d)),
         world(w),
         settings(std::move(s)),
         commands(device),
-        tables(device, world, 2 * most_photons(settings)),
-        samples(device, "pixel samples", settings.crop.pixels() * sizeof(shared::PixelSample)),
-        camera(device, tables, samples) {
-    if (most_photons(settings) > 0) maps.emplace(device, tables, samples, most_photons(settings));
+        tables(device, world, 2 * most_photons(settings), allow_texel),
+        tiles(passes::make_tiles(device, settings.crop.pixels())),
+        camera(device, tables, tiles) {
+    if (most_photons(settings) > 0) maps.emplace(device, tables, tiles, most_photons(settings));
     compile_seconds = seconds_since(start) - upload_seconds;
   }
 
@@ -81,8 +81,8 @@ struct GpuBackend::Passes {
   }
 };
 
-GpuBackend::GpuBackend(gpu::Device device, const World& world, RenderSettings settings)
-    : passes_(std::make_unique<Passes>(std::move(device), world, std::move(settings))) {}
+GpuBackend::GpuBackend(gpu::Device device, const World& world, RenderSettings settings, bool allow_texel)
+    : passes_(std::make_unique<Passes>(std::move(device), world, std::move(settings), allow_texel)) {}
 GpuBackend::~GpuBackend() = default;
 
 PassResult GpuBackend::render_pass(std::uint32_t pass) {
@@ -99,12 +99,14 @@ PassResult GpuBackend::render_pass(std::uint32_t pass) {
     p.maps->trace.run(p.commands, p.world, p.settings, s, pass, grid);
     p.maps->sort.record(p.commands, count, digits);
     p.maps->cells.record(p.commands, count, digits);
-    p.maps->gather.run(p.commands, static_cast<std::uint32_t>(p.settings.crop.pixels()), grid, radius,
-                       p.world.strata[s].stream);
+    p.maps->gather.run(p.commands, grid, radius, p.world.strata[s].stream);
     result.tallies.back() = p.tally(s);
   }
   p.tables.collect_counters();
-  result.samples = p.samples.download<shared::PixelSample>();
+  for (const passes::PixelTile& tile : p.tiles) {
+    const auto samples = tile.samples.download<shared::PixelSample>();
+    result.samples.insert(result.samples.end(), samples.begin(), samples.end());
+  }
   return result;
 }
 

@@ -91,6 +91,7 @@ struct CameraPush {
   uint seed, pass, width, height;            // of the whole image
   uint crop_x, crop_y, crop_width, first;    // first: pixel of the crop of invocation 0
   uint count, light_count, light_first, specular_bounces;
+  uint buffer_first;                         // pixel of the crop that stands first in the output buffer
 };
 
 struct GatherPush {
