@@ -102,7 +102,7 @@ def spot_light():
     scene = bench(sun=False)
     add_post(scene, -51 * MM)
     scene.light("lamp", "spot", 0.01, (10 * MM, 100 * MM, 0), (0, 0, 0),
-                spot={"innerConeAngle": math.radians(5), "outerConeAngle": math.radians(12)})
+                spot={"innerConeAngle": math.radians(2), "outerConeAngle": math.radians(6)})
     return scene
 
 

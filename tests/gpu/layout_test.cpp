@@ -1,0 +1,69 @@
+// CPU and GPU must agree on where the members of the shared structs lie.
+#include "host/gpu/commands.h"
+#include "layout_test_spirv.h"
+#include "shaders/shared/structs.h"
+#include "tests/support/scene_setup.h"
+
+namespace meniscal {
+namespace {
+
+TEST(Layout, SharedStructsLieAlikeOnBothSides) {
+  REQUIRE_DEVICE();
+  const gpu::Device device = gpu::Device::open("auto", true);
+  const gpu::ComputePass pass(device, "layout", layout_test_spirv,
+                              {{0, gpu::Kind::storage}, {1, gpu::Kind::storage}, {2, gpu::Kind::storage}, {3, gpu::Kind::storage}, {4, gpu::Kind::storage}});
+  const gpu::Buffer surfaces(device, "a", 2 * sizeof(shared::Surface)), lights(device, "b", 2 * sizeof(shared::Light)),
+      places(device, "c", 2 * sizeof(shared::PhotonPlace)), powers(device, "d", 2 * sizeof(shared::PhotonPower)),
+      samples(device, "e", 2 * sizeof(shared::PixelSample));
+  const gpu::BindingSet bound = pass.bind({{0, surfaces}, {1, lights}, {2, places}, {3, powers}, {4, samples}});
+  gpu::Commands commands(device);
+  commands.dispatch(pass, bound, 1);
+  commands.submit_and_wait();
+
+  using glm::vec3;
+  const auto surface = surfaces.download<shared::Surface>()[1];
+  EXPECT_EQ(surface.albedo, vec3(1, 2, 3));
+  EXPECT_EQ(surface.specular, 4);
+  EXPECT_EQ(surface.tint, vec3(5, 6, 7));
+  EXPECT_EQ(surface.ior, 8);
+  EXPECT_EQ(surface.absorption, vec3(9, 10, 11));
+  EXPECT_EQ(surface.kind, 12u);
+  EXPECT_EQ(surface.emission, vec3(13, 14, 15));
+  EXPECT_EQ(surface.double_sided, 16u);
+  const auto light = lights.download<shared::Light>()[1];
+  EXPECT_EQ(light.position, vec3(1, 2, 3));
+  EXPECT_EQ(light.type, 4u);
+  EXPECT_EQ(light.direction, vec3(5, 6, 7));
+  EXPECT_EQ(light.probability, 8);
+  EXPECT_EQ(light.intensity, vec3(9, 10, 11));
+  EXPECT_EQ(light.double_sided, 12u);
+  EXPECT_EQ(light.edge1, vec3(13, 14, 15));
+  EXPECT_EQ(light.area, 16);
+  EXPECT_EQ(light.edge2, vec3(17, 18, 19));
+  EXPECT_EQ(light.triangle, 20u);
+  EXPECT_EQ(light.cone_scale, 21);
+  EXPECT_EQ(light.cone_versine, 22);
+  const auto place = places.download<shared::PhotonPlace>()[1];
+  EXPECT_EQ(place.position, vec3(1, 2, 3));
+  EXPECT_EQ(place.normal, 4u);
+  const auto power = powers.download<shared::PhotonPower>()[1];
+  EXPECT_EQ(power.flux, vec3(1, 2, 3));
+  EXPECT_EQ(power.end, 4u);
+  const auto sample = samples.download<shared::PixelSample>()[1];
+  EXPECT_EQ(sample.position, vec3(1, 2, 3));
+  EXPECT_EQ(sample.depth, 4);
+  EXPECT_EQ(sample.normal, vec3(5, 6, 7));
+  EXPECT_EQ(sample.meniscus, 8);
+  EXPECT_EQ(sample.albedo, vec3(9, 10, 11));
+  EXPECT_EQ(sample.triangle, 12u);
+  EXPECT_EQ(sample.weight, vec3(13, 14, 15));
+  EXPECT_EQ(sample.emitted, vec3(17, 18, 19));
+  EXPECT_EQ(sample.direct, vec3(21, 22, 23));
+  EXPECT_EQ(sample.targeted, vec3(25, 26, 27));
+  EXPECT_EQ(sample.targeted_count, 28);
+  EXPECT_EQ(sample.caustic, vec3(29, 30, 31));
+  EXPECT_EQ(sample.caustic_count, 32);
+}
+
+}  // namespace
+}  // namespace meniscal
