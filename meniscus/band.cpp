@@ -49,13 +49,21 @@ std::vector<std::pair<int, Foot>> directions(const Node& node, std::size_t line)
 }  // namespace
 
 Grading::Grading(const ContactLine& line, double sweep_length) : sweep_(line.sweep) {
-  double length = 0;
-  for (std::size_t i = 0; i < line.segments(); ++i)
-    length += glm::distance(line.nodes[i].position, line.next(i).position);
+  double length = 0, longest = 0, shortest = sweep_length;
+  for (std::size_t i = 0; i < line.segments(); ++i) {
+    const double column = glm::distance(line.nodes[i].position, line.next(i).position);
+    length += column, longest = std::max(longest, column), shortest = std::min(shortest, column);
+  }
   const double column = length / static_cast<double>(line.segments());
-  most_ = kMost * sweep_length;
-  first_ = sweep_ > 0 ? std::min(kFirst * sweep_length, column) : column;
+  most_ = line.coarseness * widest(sweep_length);
+  first_ = column;
+  if (sweep_ > 0) {  // no triangle at the wall much longer than wide, along it or across
+    const double least = std::max(line.coarseness * kFirst * sweep_length, longest / kAspect);
+    first_ = std::min({column, least, kAspect * shortest, most_});
+  }
 }
+
+double Grading::widest(double sweep_length) { return kMost * sweep_length; }
 
 double Grading::spacing(double distance) const {
   if (sweep_ == 0) return first_ + kGrowthBeyond * distance;

@@ -15,6 +15,8 @@ namespace meniscus {
 class Grading {
  public:
   explicit Grading(const ContactLine& line, double sweep_length);
+  // Distance between layers in the band, where it is largest.
+  static double widest(double sweep_length);
   double spacing(double distance) const;
   // Distances from the wall out to `extent`; one of them is exactly the sweep, where the profile has a kink.
   std::vector<double> layers(double extent) const;

@@ -23,6 +23,11 @@ glm::dvec3 blend(const glm::dvec3& a, const glm::dvec3& b, double t) {
   return length > 0 ? sum / length : a;
 }
 
+ContourPoint between(const ContourPoint& p, const ContourPoint& q, double t) {
+  const glm::dvec3 normal = blend(p.after, q.before, t);
+  return {p.position + t * (q.position - p.position), blend(p.liquid_normal, q.liquid_normal, t), normal, normal, {}};
+}
+
 // Leaves out points within `tolerance` of the one before; the last of a closed contour against the first as well.
 std::vector<ContourPoint> merge(const Contour& contour, double tolerance) {
   std::vector<ContourPoint> kept;
@@ -82,19 +87,53 @@ glm::dvec2 left_of(const glm::dvec2& way) {
   return length > 0 ? glm::dvec2(-way.y, way.x) / length : glm::dvec2(1, 0);
 }
 
+// Points at most `step` apart, the new ones on the segments between the others.
+std::vector<ContourPoint> divide(const std::vector<ContourPoint>& points, bool closed, double step) {
+  std::vector<ContourPoint> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ContourPoint &p = points[i], &q = points[(i + 1) % points.size()];
+    result.push_back(p);
+    if (!closed && i + 1 == points.size()) break;
+    const double parts = std::ceil(glm::distance(p.position, q.position) / step);
+    for (double k = 1; k < parts; ++k) result.push_back(between(p, q, k / parts));
+  }
+  return result;
+}
+
+// The wanted distance between nodes, interpolated; calls come in ascending order.
+class Sizes {
+ public:
+  Sizes(const std::vector<Size>& sizes, double otherwise) : sizes_(sizes), otherwise_(otherwise) {}
+  double at(double along) {
+    if (sizes_.empty()) return otherwise_;
+    while (k_ + 1 < sizes_.size() && sizes_[k_ + 1].along < along) ++k_;
+    if (k_ + 1 == sizes_.size()) return sizes_[k_].size;
+    const Size &a = sizes_[k_], &b = sizes_[k_ + 1];
+    return a.size + std::max(along - a.along, 0.0) / (b.along - a.along) * (b.size - a.size);
+  }
+
+ private:
+  const std::vector<Size>& sizes_;
+  const double otherwise_;
+  std::size_t k_ = 0;
+};
+
 }  // namespace
 
-ContactLine refine(const Contour& contour, std::size_t solid, double sweep_length) {
+ContactLine refine(const Contour& contour, std::size_t solid, double sweep_length, const Resolution& resolution) {
   double perimeter = 0;
   for (std::size_t i = 0; i + 1 < contour.points.size() + contour.closed; ++i) {
     perimeter += glm::distance(contour.points[i].position, contour.points[(i + 1) % contour.points.size()].position);
   }
   std::vector<ContourPoint> points =
       straighten(merge(contour, std::min(1e-3 * sweep_length, perimeter / 512)), contour.closed);
-  const std::size_t n = points.size(), segments = contour.closed ? n : n - 1;
   for (ContourPoint& p : points) {
     if (!is_joint(p)) p.before = p.after = blend(p.before, p.after, 0.5);
   }
+  constexpr double kMostFine = 2e5;  // columns: a contour of kilometres is no reason to run out of memory
+  const double fine = std::max(kFineColumn * sweep_length, perimeter / kMostFine);
+  points = divide(points, contour.closed, fine);
+  const std::size_t n = points.size(), segments = contour.closed ? n : n - 1;
 
   // Corners end the runs along which nodes are spread evenly.
   std::vector<bool> corner(n, false);
@@ -107,6 +146,9 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
   const std::size_t start = static_cast<std::size_t>(first_corner) == n ? 0 : static_cast<std::size_t>(first_corner);
   corner[start] = true;
 
+  Sizes sizes(resolution.sizes, fine);
+  const double turn = kColumnTurn * resolution.coarseness;
+  double along_line = 0;
   std::vector<ContourPoint> nodes;
   for (std::size_t done = 0; done < segments;) {
     const std::size_t a = (start + done) % n;
@@ -115,8 +157,10 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
     do {
       const ContourPoint& p = points[(a + count) % n];
       const ContourPoint& q = points[(a + count + 1) % n];
-      cost.push_back(cost.back() + std::max(20 * glm::distance(p.position, q.position) / sweep_length,
-                                            angle(p.after, q.before) / kColumnTurn));
+      const double length = glm::distance(p.position, q.position);
+      cost.push_back(cost.back() +
+                     std::max(length / sizes.at(along_line + 0.5 * length), angle(p.after, q.before) / turn));
+      along_line += length;
       ++count;
     } while (done + count < segments && !corner[(a + count) % n]);
     nodes.push_back(points[a]);
@@ -128,15 +172,13 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
       const ContourPoint& p = points[(a + s) % n];
       const ContourPoint& q = points[(a + s + 1) % n];
       const double t = (at - cost[s]) / (cost[s + 1] - cost[s]);
-      const glm::dvec3 normal = blend(p.after, q.before, t);
-      nodes.push_back(
-          {p.position + t * (q.position - p.position), blend(p.liquid_normal, q.liquid_normal, t), normal, normal, {}});
+      nodes.push_back(between(p, q, t));
     }
     done += count;
   }
   if (!contour.closed) nodes.push_back(points.back());
 
-  ContactLine line{solid, contour.closed, sweep_length, {}};
+  ContactLine line{solid, contour.closed, sweep_length, resolution.coarseness, {}};
   const std::size_t m = nodes.size();
   for (std::size_t i = 0; i < m; ++i) {
     const ContourPoint& p = nodes[i];

@@ -33,6 +33,7 @@ struct ContactLine {
   std::size_t solid;
   bool closed;
   double sweep = 0;  // how far the meniscus reaches, metres; 0 where none is raised
+  double coarseness = 1;  // factor on all spacings of its band
   std::vector<Node> nodes;
 
   std::size_t segments() const { return closed ? nodes.size() : nodes.size() - 1; }
@@ -41,12 +42,24 @@ struct ContactLine {
 
 // The largest turn between neighbouring columns: 128 round a circle. A wider turn of the solid's normal is a joint.
 constexpr double kColumnTurn = 0.0491;
+constexpr double kFineColumn = 0.05;  // distance between columns where something changes along them, in sweep lengths
+constexpr double kAspect = 20;        // and elsewhere, in distances between layers
+
+struct Size {
+  double along;  // the line, from its first node; metres
+  double size;   // wanted distance between nodes there; metres
+};
+
+// How finely a contour is divided; see sizing.h.
+struct Resolution {
+  std::vector<Size> sizes;  // from the line's first node on; empty: kFineColumn throughout
+  double coarseness = 1;    // factor by which nodes may turn more than kColumnTurn
+};
 
 // Merges points closer than a small part of the sweep length, averages normals that differ by less than a column's
 // turn, keeps joints and corners, and puts new points on the segments between them: as many as the turn of the normals
-// asks for, at most a twentieth of the sweep length apart. Nodes lie on the solid's facets; only chords between them
-// may leave the facets.
-ContactLine refine(const Contour& contour, std::size_t solid, double sweep_length);
+// and the resolution ask for. Nodes lie on the solid's facets; only chords between them may leave the facets.
+ContactLine refine(const Contour& contour, std::size_t solid, double sweep_length, const Resolution& resolution = {});
 
 // Curvature and slopes from the directions, rises and slides of neighbouring nodes. To be called when those are known.
 void differentiate(ContactLine& line);

@@ -9,6 +9,7 @@
 #include "meniscus/check.h"
 #include "meniscus/predicates.h"
 #include "meniscus/profile.h"
+#include "meniscus/sizing.h"
 #include "meniscus/stitch.h"
 
 namespace meniscus {
@@ -49,6 +50,30 @@ Topology weld_liquid(const Liquid& liquid, std::vector<std::uint32_t>& surface, 
   return mesh;
 }
 
+// A vertex normal far from its facet's is no surface's: Blender's smooth cylinder tilts those of its side by 45 degrees
+// towards the caps, and with them the dihedral angle. Such ones become the mean of the neighbouring facets that do not
+// turn away by a crease.
+void straighten_normals(Topology& mesh) {
+  const double crease = std::cos(glm::radians(35.0));
+  std::vector<std::vector<std::uint32_t>> around(mesh.points.size());
+  std::vector<glm::dvec3> facet;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const glm::dvec3 n = mesh.area_normal(t);
+    const double length = glm::length(n);
+    facet.push_back(length > 0 ? n / length : mesh.triangles[t].normals[0]);
+    for (int k = 0; k < 3; ++k) around[mesh.triangles[t].points[k]].push_back(t);
+  }
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      glm::dvec3& normal = mesh.triangles[t].normals[k];
+      if (glm::dot(normal, facet[t]) >= crease) continue;
+      glm::dvec3 sum(0);
+      for (const std::uint32_t u : around[mesh.triangles[t].points[k]])
+        if (glm::dot(facet[u], facet[t]) >= crease) sum += mesh.area_normal(u);
+      if (glm::length(sum) > 0) normal = glm::normalize(sum);
+    }
+}
+
 std::vector<Body> weld_solids(const std::vector<Solid>& solids) {
   std::vector<Body> bodies;
   for (const Solid& solid : solids) {
@@ -57,6 +82,7 @@ std::vector<Body> weld_solids(const std::vector<Solid>& solids) {
     }
     Topology mesh = weld(solid.mesh, solid.name);
     orient_outward(mesh);
+    straighten_normals(mesh);
     std::vector<Box> boxes;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) boxes.push_back(mesh.box(t));
     bodies.push_back({solid.name, std::move(mesh), Tree(std::move(boxes)), solid.contact_angle});
@@ -115,19 +141,31 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   std::vector<Box> boxes;
   for (const std::uint32_t t : surface) boxes.push_back(level.box(t));
   const Tree tree(std::move(boxes));
-  std::vector<ContactLine> lines;
+  std::vector<Contour> contours;
+  std::vector<ContactLine> lines;  // evenly fine at first: these show where columns may stand farther apart
   for (std::size_t s = 0; s < bodies.size(); ++s) {
-    for (const Contour& contour :
-         find_contours(level, surface, tree, bodies[s].mesh, bodies[s].name, result.warnings)) {
-      ContactLine line = refine(contour, s, reach);
-      bond(line, bodies[s], liquid, result.warnings);
-      differentiate(line);
-      lines.push_back(std::move(line));
+    for (Contour& contour : find_contours(level, surface, tree, bodies[s].mesh, bodies[s].name, result.warnings)) {
+      lines.push_back(refine(contour, s, reach));
+      contours.push_back(std::move(contour));
     }
   }
-
   constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
   const Patch patch(level, surface, lines, kMargin * reach);
+  std::vector<std::size_t> coarsened;
+  const std::vector<Resolution> resolutions = find_resolutions(lines, patch, reach, coarsened);
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const Body& body = bodies[lines[l].solid];
+    lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
+    bond(lines[l], body, liquid, result.warnings);
+    differentiate(lines[l]);
+  }
+  for (const std::size_t l : coarsened) {
+    result.warnings.push_back("solid '" + bodies[lines[l].solid].name +
+                              "': its contour is too long for the usual resolution: its meniscus is " +
+                              std::to_string(resolutions[l].coarseness).substr(0, 4) +
+                              " times as coarse, so that it stays below two million triangles");
+  }
+
   const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, result.warnings);
   Stitched stitched = stitch(level, surface, patch, sheet, lines, bodies);
   if (!lines.empty()) check(liquid, stitched, lines, bodies, inspect(liquid.mesh).rejected, result.warnings);

@@ -31,17 +31,16 @@ LightSample sample_light(vec3 point, uint first, uint count, RandomKey key) {
     s.direction = towards / s.distance;
     s.irradiance /= s.distance * s.distance;
     if (light.type == LIGHT_SPOT) {
-      vec3 chord = s.direction + light.direction;
-      float falloff = clamp((light.cone_versine - 0.5 * dot(chord, chord)) * light.cone_scale, 0.0, 1.0);
+      // The versine by way of the sine, which keeps its digits near the axis.
+      vec3 sine = cross(s.direction, light.direction);
+      float cosine = -dot(s.direction, light.direction);
+      float versine = cosine > 0.0 ? dot(sine, sine) / (1.0 + cosine) : 1.0;
+      float falloff = clamp((light.cone_versine - versine) * light.cone_scale, 0.0, 1.0);
       s.irradiance *= falloff * falloff;
     }
   }
   return s;
 }
 
-// Whether nothing at all, specular surfaces included, stands between the point and the light sample.
-bool visible(vec3 point, uint triangle, vec3 side, LightSample s) {
-  vec3 origin = leave(point, side);
-  float reach = s.triangle == NO_TRIANGLE ? s.distance : s.distance * (1.0 - 1e-5);
-  return intersect(origin, s.direction, reach, triangle, true).triangle == NO_TRIANGLE;
-}
+// How far a shadow ray must be free, so that the emitting triangle does not shadow itself.
+float shadow_reach(LightSample s) { return s.triangle == NO_TRIANGLE ? s.distance : s.distance * (1.0 - 1e-5); }

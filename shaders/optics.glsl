@@ -1,5 +1,6 @@
 // What happens to a path at a specular surface.
 #include "scene.glsl"
+#include "differentials.glsl"
 #include "shared/random.h"
 
 // Unpolarised Fresnel reflectance; `cosine` > 0 on the side of arrival, `eta` = n_arrival / n_beyond. 1 at total internal reflection;
@@ -18,52 +19,75 @@ struct Path {
   vec3 throughput;
   vec3 absorption;       // of the medium it is in, 1/m
   float radiance_scale;  // product of (n_beyond / n_arrival)^-2: for camera paths, not for photons
+  Differential differential;
 };
+
+Path start_path(vec3 origin, vec3 direction, uint triangle, vec3 throughput) {
+  return Path(origin, direction, triangle, throughput, vec3(0.0), 1.0, Differential(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)));
+}
 
 // Sends the path on from a specular surface: mirror, Fresnel reflection or refraction by roulette with `random`, or straight through a
 // thin sheet. Directions bend with the shading normal, sides are told by the geometric one; where the two disagree on the outcome's
 // side, the geometric one bends.
-void scatter_specular(inout Path path, vec3 point, uint triangle, vec3 shading, Surface surface, float random) {
-  vec3 geometric = geometric_normal(triangle);
-  bool front = dot(path.direction, geometric) < 0.0;
-  vec3 side = front ? geometric : -geometric;
-  vec3 normal = dot(shading, geometric) < 0.0 == front ? -shading : shading;
-  if (dot(path.direction, normal) >= 0.0) normal = side;
-  float cosine = -dot(path.direction, normal);
+void scatter_specular(inout Path path, SurfacePoint point, Surface surface, float random) {
+  vec3 arrival = path.direction;
+  bool front = dot(arrival, point.geometric) < 0.0;
+  vec3 side = front ? point.geometric : -point.geometric;
+  float turned = dot(point.shading, side) < 0.0 ? -1.0 : 1.0;
+  vec3 normal = turned * point.shading;
+  if (dot(arrival, normal) >= 0.0) {
+    normal = side;
+    turned = 0.0;
+  }
 
   bool reflected = true;
-  vec3 direction = path.direction + 2.0 * cosine * normal;
+  float eta = 1.0, transmitted = 1.0;
   if (HAS_DIELECTRIC && surface.kind == SPECULAR_DIELECTRIC) {
-    float eta = front ? 1.0 / surface.ior : surface.ior;
-    float transmitted;
+    eta = front ? 1.0 / surface.ior : surface.ior;
+    float cosine = -dot(arrival, normal);
     reflected = random < fresnel(cosine, eta, transmitted);
-    if (!reflected) {
-      direction = eta * path.direction + (eta * cosine - transmitted) * normal;
-      if (dot(direction, side) >= 0.0) {
-        direction = refract(path.direction, side, eta);
-        reflected = direction == vec3(0.0);
-      }
-    }
-    if (!reflected) {
-      path.throughput *= surface.tint;
-      path.radiance_scale *= eta * eta;
-      path.absorption = front ? surface.absorption : vec3(0.0);
+    if (!reflected && dot(eta * arrival + (eta * cosine - transmitted) * normal, side) >= 0.0) {
+      normal = side;
+      turned = 0.0;
+      reflected = fresnel(-dot(arrival, side), eta, transmitted) >= 1.0;
     }
   } else if (HAS_THIN && surface.kind == SPECULAR_THIN) {
-    float transmitted;
-    float once = fresnel(cosine, 1.0 / surface.ior, transmitted);
+    float once = fresnel(-dot(arrival, normal), 1.0 / surface.ior, transmitted);
     reflected = random < 2.0 * once / (1.0 + once);  // both faces, all orders
-    if (!reflected) {
-      direction = path.direction;
-      path.throughput *= surface.tint;
+  }
+  if (reflected && dot(arrival - 2.0 * dot(arrival, normal) * normal, side) <= 0.0) {
+    normal = side;
+    turned = 0.0;
+  }
+
+  // How the normal changes along with the place.
+  vec3 dn0 = vec3(0.0), dn1 = vec3(0.0);
+  if (HAS_DIFFERENTIALS && turned != 0.0) {
+    dn0 = turned * normal_derivative(point, path.differential.place0);
+    dn1 = turned * normal_derivative(point, path.differential.place1);
+  }
+  if (reflected) {
+    path.direction = arrival - 2.0 * dot(arrival, normal) * normal;
+    if (HAS_MIRROR && surface.kind == SPECULAR_MIRROR) path.throughput *= surface.tint;
+    if (HAS_DIFFERENTIALS) {
+      path.differential.direction0 = reflect_derivative(path.differential.direction0, dn0, arrival, normal);
+      path.differential.direction1 = reflect_derivative(path.differential.direction1, dn1, arrival, normal);
     }
   } else {
     path.throughput *= surface.tint;
+    if (HAS_DIELECTRIC && surface.kind == SPECULAR_DIELECTRIC) {
+      path.direction = eta * arrival + (-eta * dot(arrival, normal) - transmitted) * normal;
+      path.radiance_scale *= eta * eta;
+      path.absorption = front ? surface.absorption : vec3(0.0);
+      if (HAS_DIFFERENTIALS) {
+        path.differential.direction0 = refract_derivative(path.differential.direction0, dn0, arrival, normal, eta, transmitted);
+        path.differential.direction1 = refract_derivative(path.differential.direction1, dn1, arrival, normal, eta, transmitted);
+      }
+    }
   }
-  if (reflected && dot(direction, side) <= 0.0) direction = path.direction - 2.0 * dot(path.direction, side) * side;
-  path.direction = normalize(direction);
-  path.origin = leave(point, reflected ? side : -side);
-  path.triangle = triangle;
+  path.direction = normalize(path.direction);
+  path.origin = leave(point.position, reflected ? side : -side);
+  path.triangle = point.triangle;
 }
 
 // Light lost on the way from the path's origin to a hit at distance t.

@@ -5,41 +5,28 @@
 #include "shared/geometry.h"
 
 layout(push_constant) uniform Push { PhotonPush push; };
-layout(set = 0, binding = BIND_OUTPUT, std430) writeonly buffer Places { PhotonPlace places[]; };
-layout(set = 0, binding = BIND_OUTPUT + 1, std430) writeonly buffer Powers { PhotonPower powers[]; };
+layout(set = 0, binding = BIND_OUTPUT, std430) writeonly buffer Ends { PhotonEnd ends[]; };
+layout(set = 0, binding = BIND_OUTPUT + 1, std430) writeonly buffer Discs { PhotonDisc discs[]; };
 layout(set = 0, binding = BIND_OUTPUT + 2, std430) writeonly buffer Keys { uint keys[]; };
-layout(set = 0, binding = BIND_OUTPUT + 3, std430) writeonly buffer Entered { float entered[]; };  // mean flux at the target
 
-// Follows the path from its first specular surface; leaves its end in `power` and, where it was stored, `place` and `key`.
-void trace(Path path, uint triangle, vec3 point, vec3 shading, RandomKey random, inout PhotonPlace place, inout PhotonPower power,
-           inout uint key) {
-  power.end = END_CUT;
-  for (uint bounce = 0u; bounce < push.specular_bounces; ++bounce) {
-    uint dimension = DIM_FIRST_BOUNCE + BOUNCE_DIMENSIONS * bounce;
-    Surface surface = surfaces[triangle_material(triangle)];
-    vec3 normal = geometric_normal(triangle);
-    if (dot(normal, path.direction) > 0.0) normal = -normal;
-    if (random_unit(random, dimension) >= surface.specular) {
-      // A photon that starts at a partly diffuse target and is scattered there at once has met no specular surface.
-      if (bounce > 0u) {
-        place = PhotonPlace(point, pack_direction(normal));
-        key = cell_key(grid_cell(point, push.cell_size), push.cell_mask);
-      }
-      power.end = bounce > 0u ? triangle : END_DROPPED;
-      break;
-    }
-    scatter_specular(path, point, triangle, shading, surface, random_unit(random, dimension + 1u));
-    Hit hit = intersect(path.origin, path.direction, FAR, path.triangle, false);
-    if (hit.triangle == NO_TRIANGLE) {
-      power.end = END_ESCAPED;
-      break;
-    }
-    absorb(path, hit.t);
-    triangle = hit.triangle;
-    point = triangle_point(triangle, hit.u, hit.v);
-    shading = shading_normal(triangle, hit.u, hit.v);
-  }
-  power.flux = path.throughput;
+// A point of the stratum, uniform by area.
+SurfacePoint start_point(RandomKey random) {
+  uvec2 start = sobol_point(random);
+  float rest;
+  uint triangle = targets[push.target_first + pick(push.target_first, push.target_count, start.x, rest)];
+  float root = sqrt(rest);
+  return surface_point(triangle, 1.0 - root, unit_float(start.y) * root);
+}
+
+// The photon's footprint on the surface it is stored on, and the cell of the hash grid.
+void store(uint slot, Differential d, vec3 position, vec3 side, float spread) {
+  PhotonDisc disc;
+  make_disc(d, side, spread, push.narrowest, push.widest, disc.alpha, disc.beta);
+  float half_width = inversesqrt(min(dot(disc.alpha, disc.alpha), dot(disc.beta, disc.beta)));
+  uint level = 0u;
+  while (level + 1u < GRID_LEVELS && 1.00001 * half_width > 1.00002 * push.narrowest * float(1u << level)) level += 1u;
+  discs[slot] = disc;
+  keys[slot] = cell_key(grid_cell(position, level_cell_size(push.narrowest, level)), level, push.cell_mask);
 }
 
 void main() {
@@ -47,35 +34,51 @@ void main() {
   if (i >= push.count) return;
   uint slot = push.first + i;
   RandomKey random = RandomKey(push.seed, push.pass, push.stream, slot);
+  keys[slot] = NO_CELL;
 
-  uvec2 start = sobol_point(random);
-  float rest;
-  uint triangle = targets[push.target_first + pick(push.target_first, push.target_count, start.x, rest)];
-  float root = sqrt(rest), v = unit_float(start.y) * root;
-  float u = 1.0 - root;
-  vec3 point = triangle_point(triangle, u, v);
-  vec3 geometric = geometric_normal(triangle);
+  SurfacePoint point = start_point(random);
+  LightSample light = sample_light(point.position, push.light_first, push.light_count, random);
+  float cosine = dot(light.direction, point.geometric);
+  vec3 side = cosine > 0.0 ? point.geometric : -point.geometric;
+  float entered = dot(light.irradiance, vec3(push.power_scale / 3.0));
+  uint end = entered > 0.0 ? END_CUT : END_BLOCKED;
+  if (random_unit(random, DIM_COSINE) >= abs(cosine)) end = END_DROPPED;
 
-  PhotonPlace place = PhotonPlace(point, 0u);
-  PhotonPower power = PhotonPower(vec3(0.0), END_BLOCKED);
-  uint key = NO_CELL;
-  LightSample light = sample_light(point, push.light_first, push.light_count, random);
-  float cosine = dot(light.direction, geometric);
-  power.flux = light.irradiance * push.power_scale;
-  if (random_unit(random, DIM_COSINE) >= abs(cosine)) {
-    power.end = END_DROPPED;
-  } else if (any(greaterThan(light.irradiance, vec3(0.0))) &&
-             visible(point, triangle, cosine > 0.0 ? geometric : -geometric, light)) {
-    Path path = Path(point, -light.direction, triangle, power.flux, vec3(0.0), 1.0);
-    if (HAS_ABSORPTION && cosine < 0.0 && light.distance < FAR) {
-      path.absorption = surfaces[triangle_material(triangle)].absorption;
-      absorb(path, light.distance);
+  // The first ray asks for the light; the path then leaves from where that ray began.
+  Path path = start_path(leave(point.position, side), light.direction, point.triangle, light.irradiance * push.power_scale);
+  if (HAS_DIFFERENTIALS) path.differential = start_differential(point.geometric, -light.direction, light.distance);
+  float spread = push.spread * sqrt(push.power_scale / max(abs(cosine), 1e-6));
+  for (uint k = 0u; k <= push.specular_bounces && end == END_CUT; ++k) {
+    Hit hit = intersect(path.origin, path.direction, k == 0u ? shadow_reach(light) : FAR, path.triangle, k == 0u);
+    if (k == 0u) {
+      if (hit.triangle != NO_TRIANGLE) end = END_BLOCKED;
+      path.direction = -light.direction;
+      if (HAS_ABSORPTION && cosine < 0.0 && light.distance < FAR) {
+        path.absorption = surfaces[point.material].absorption;
+        absorb(path, light.distance);
+        entered = dot(path.throughput, vec3(1.0 / 3.0));
+      }
+    } else if (hit.triangle == NO_TRIANGLE) {
+      end = END_ESCAPED;
+    } else {
+      absorb(path, hit.t);
+      point = surface_point(hit.triangle, hit.u, hit.v);
+      if (HAS_DIFFERENTIALS) transfer(path.differential, path.direction, hit.t, point.geometric);
     }
-    trace(path, triangle, point, shading_normal(triangle, u, v), random, place, power, key);
+    if (end != END_CUT) break;
+
+    Surface surface = surfaces[point.material];
+    uint dimension = DIM_FIRST_BOUNCE + BOUNCE_DIMENSIONS * k;
+    if (random_unit(random, dimension) >= surface.specular) {
+      // A photon that starts at a partly diffuse target and is scattered there at once has met no specular surface.
+      end = k > 0u ? point.triangle : END_DROPPED;
+      if (k > 0u) {
+        store(slot, path.differential, point.position, dot(point.geometric, path.direction) > 0.0 ? -point.geometric : point.geometric, spread);
+      }
+    } else if (k < push.specular_bounces) {
+      scatter_specular(path, point, surface, random_unit(random, dimension + 1u));
+    }
   }
-  entered[slot] = dot(light.irradiance, vec3(push.power_scale / 3.0));
-  places[slot] = place;
-  powers[slot] = power;
-  keys[slot] = key;
+  ends[slot] = PhotonEnd(point.position, end, path.throughput, entered);
   atomicAdd(counters[COUNTER_RAYS], rays_traced);
 }

@@ -22,6 +22,7 @@ layout(constant_id = 5) const bool HAS_DIELECTRIC = true;
 layout(constant_id = 6) const bool HAS_THIN = true;
 layout(constant_id = 7) const bool HAS_ABSORPTION = true;
 layout(constant_id = 8) const float SCENE_RADIUS = 1.0;
+layout(constant_id = 9) const bool HAS_DIFFERENTIALS = true;  // paths carry the derivatives that shape photons' discs
 
 const uint NO_TRIANGLE = 0xFFFFFFFFu;
 
@@ -132,19 +133,42 @@ Hit intersect(vec3 origin, vec3 direction, float t_max, uint skip, bool any_hit)
   return hit;
 }
 
-vec3 triangle_point(uint triangle, float u, float v) {
+// A place on a triangle, with what shading and differentials ask of it.
+struct SurfacePoint {
+  uint triangle, material, meniscus;
+  vec3 position, geometric, shading;
+  vec3 ab, ac;               // edges
+  vec3 normal_ab, normal_ac; // differences of the corners' shading normals along them
+  float normal_length;       // of the interpolated normal before it was normalised
+};
+
+SurfacePoint surface_point(uint triangle, float u, float v) {
   uint record = 4u * (TRIANGLE_BASE + triangle);
-  vec3 a = uintBitsToFloat(FETCH(scene, record).xyz);
-  return a + u * (uintBitsToFloat(FETCH(scene, record + 1u).xyz) - a) + v * (uintBitsToFloat(FETCH(scene, record + 2u).xyz) - a);
+  uvec4 a = FETCH(scene, record), b = FETCH(scene, record + 1u);
+  vec3 corner = uintBitsToFloat(a.xyz);
+  SurfacePoint s;
+  s.triangle = triangle;
+  s.material = a.w;
+  s.meniscus = b.w;
+  s.ab = uintBitsToFloat(b.xyz) - corner;
+  s.ac = uintBitsToFloat(FETCH(scene, record + 2u).xyz) - corner;
+  s.geometric = uintBitsToFloat(FETCH(scene, record + 3u).xyz);
+  s.position = corner + u * s.ab + v * s.ac;
+  vec3 normal = uintBitsToFloat(FETCH(normals, 3u * triangle).xyz);
+  s.normal_ab = uintBitsToFloat(FETCH(normals, 3u * triangle + 1u).xyz) - normal;
+  s.normal_ac = uintBitsToFloat(FETCH(normals, 3u * triangle + 2u).xyz) - normal;
+  normal += u * s.normal_ab + v * s.normal_ac;
+  s.normal_length = length(normal);
+  s.shading = normal / s.normal_length;
+  return s;
 }
-uint triangle_material(uint triangle) { return FETCH(scene, 4u * (TRIANGLE_BASE + triangle)).w; }
-// 1 where the triangle belongs to a meniscus.
-uint triangle_meniscus(uint triangle) { return FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 1u).w; }
-vec3 geometric_normal(uint triangle) { return uintBitsToFloat(FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 3u).xyz); }
-vec3 shading_normal(uint triangle, float u, float v) {
-  uint record = 3u * triangle;
-  return normalize((1.0 - u - v) * uintBitsToFloat(FETCH(normals, record).xyz) + u * uintBitsToFloat(FETCH(normals, record + 1u).xyz) +
-                   v * uintBitsToFloat(FETCH(normals, record + 2u).xyz));
+
+// Derivative of the shading normal along a direction in the triangle's plane, per metre.
+vec3 normal_derivative(SurfacePoint s, vec3 place) {
+  float twice_area = dot(s.geometric, cross(s.ab, s.ac));
+  float u = dot(cross(s.ac, s.geometric), place) / twice_area, v = dot(cross(s.geometric, s.ab), place) / twice_area;
+  vec3 sum = u * s.normal_ab + v * s.normal_ac;
+  return (sum - s.shading * dot(s.shading, sum)) / s.normal_length;
 }
 
 // A start for rays that leave `point` on the side of `normal`: off the surface by some rounding errors of its coordinates.

@@ -38,11 +38,11 @@ class Progress {
 
   void begin(const std::string& stage, long total);
   void update(long done);
+  void clear();  // wipes a terminal's line for what is said next
 
  private:
   using Clock = std::chrono::steady_clock;
   void show();
-  void clear();
 
   const ProgressStyle style_;
   std::FILE* const stream_;

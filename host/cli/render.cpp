@@ -49,6 +49,7 @@ void render(const RenderOptions& options) {
   RunStatistics run;
   run.seconds["load"] = seconds_since(start);
   const World world = build_world(scene, options.meniscus);
+  progress.clear();
   for (const std::string& w : scene.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   for (const std::string& w : world.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   if (options.diffuse_bounces > 0)
@@ -56,7 +57,7 @@ void render(const RenderOptions& options) {
   const RenderSettings settings = choose_settings(options, scene, world);
 
   const std::unique_ptr<Backend> backend = make_backend(options.device, world, settings);
-  Film film(settings.crop, options.aovs, options.map_scale);
+  Film film(settings.crop, options.aovs, options.map_scale, scene.origin);
   const PassRange asked = options.passes_to_run();
   progress.begin("passes", asked.last - asked.first);
   run.tallies = render_passes(*backend, asked, film, [&](std::uint32_t done) {
@@ -72,17 +73,15 @@ void render(const RenderOptions& options) {
 
   const auto write_start = Clock::now();
   Image image = film.image(settings.width, settings.height);
-  describe(image, scene, world, settings, options.meniscus, run, seconds_since(start));
+  describe(image, scene, settings, options.meniscus, run, seconds_since(start));
   write_exr(options.output, image);
   if (options.preview) write_preview(*options.preview, image, options.tonemap, options.exposure);
   run.seconds["write"] = seconds_since(write_start);
   run.seconds["total"] = seconds_since(start);
-  if (options.stats)
-    write_file(*options.stats, statistics_json(world, settings, options.meniscus, run).dump(2) + "\n");
+  if (options.stats) write_file(*options.stats, statistics_json(world, settings, options.meniscus, run).dump(2) + "\n");
   if (interrupted())
-    throw Error(ExitCode::interrupted,
-                fmt::format("interrupted after {} of {} passes; {} holds the image so far", film.passes(),
-                            asked.last - asked.first, options.output));
+    throw Error(ExitCode::interrupted, fmt::format("interrupted after {} of {} passes; {} holds the image so far",
+                                                   film.passes(), asked.last - asked.first, options.output));
 }
 
 }  // namespace

@@ -194,6 +194,8 @@ void add_output_options(CLI::App& command, RenderOptions& options) {
 // What only the options together can tell.
 void finish(RenderOptions& options) {
   if (options.output.empty()) options.output = std::filesystem::path(options.scene).stem().string() + ".exr";
+  if (options.preview == options.output || options.stats == options.output)
+    throw CLI::ValidationError("--output", fmt::format("{} is the name of another output, too", options.output));
   const PassRange range = options.passes_to_run();
   if (range.last <= range.first)
     throw CLI::ValidationError(

@@ -46,8 +46,9 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.camera = find_camera(scene, options.camera);
   choose_size(settings, options);
   settings.photons = photon_budget(world, options.photons);
-  settings.first_radius = default_radii(world, settings.photons, pixel_footprint(world, settings));
-  if (options.radius) settings.first_radius.assign(settings.photons.size(), *options.radius);
+  settings.footprint = pixel_footprint(world, settings);
+  const Discs discs = options.radius ? Discs{1, *options.radius, *options.radius} : default_discs(settings.footprint);
+  settings.discs.assign(settings.photons.size(), discs);
   return settings;
 }
 

@@ -10,15 +10,18 @@ namespace meniscal::passes {
 
 class Batch {
  public:
-  // Calls record(first, count) for consecutive parts of [0, total), submitting each. What is computed does not depend on the cuts.
+  // Calls record(first, count) for consecutive parts of [0, total), submitting each. What is computed does not depend
+  // on the cuts.
   template <class Record>
   void run(gpu::Commands& commands, std::uint32_t total, const Record& record) {
     for (std::uint32_t first = 0, count = 0; first < total; first += count) {
       count = std::min(size_, total - first);
       record(first, count);
       commands.submit_and_wait();
-      if (commands.last_submit_seconds() < target_seconds / 2) size_ = std::min(2 * size_, 1u << 22);
-      else if (commands.last_submit_seconds() > 2 * target_seconds) size_ = std::max(size_ / 2, 1u << 10);
+      if (commands.last_submit_seconds() < target_seconds / 2)
+        size_ = std::min(2 * size_, 1u << 22);
+      else if (commands.last_submit_seconds() > 2 * target_seconds)
+        size_ = std::max(size_ / 2, 1u << 10);
     }
   }
 

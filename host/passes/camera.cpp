@@ -9,7 +9,8 @@ namespace {
 gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables) {
   std::vector<gpu::Binding> layout = tables.layout();
   layout.push_back({BIND_OUTPUT, gpu::Kind::storage});
-  return {device, "camera", shader("camera", tables.texel), layout, sizeof(shared::CameraPush), tables.constants};
+  return {
+      device, "camera", shader("camera", tables.texel), layout, sizeof(shared::CameraPush), tables.constants(false)};
 }
 
 gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, const gpu::Buffer& samples) {
@@ -42,6 +43,7 @@ void CameraPass::run(gpu::Commands& commands, const World& world, const RenderSe
   push.light_first = world.light_first;
   push.light_count = static_cast<std::uint32_t>(world.lights.size());
   push.specular_bounces = settings.specular_bounces;
+  push.jitter = static_cast<float>(pixel_jitter(settings, pass));
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
     push.buffer_first = tiles_[t].first;
     batch_.run(commands, tiles_[t].count, [&](std::uint32_t first, std::uint32_t count) {

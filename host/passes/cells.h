@@ -8,11 +8,11 @@ namespace meniscal::passes {
 
 class CellsPass {
  public:
-  gpu::Buffer photons;  // (PhotonPlace, PhotonPower) in order of their cells
+  gpu::Buffer photons;  // GatheredPhoton[], in order of their cells
   gpu::Buffer cells;    // (first, one past the last) by key
 
   CellsPass(const gpu::Device& device, const PhotonBuffers& unsorted, const SortPass& sort, std::size_t capacity,
-            bool texel);
+            std::size_t cell_capacity, bool texel);
   // Recorded, not submitted.
   void record(gpu::Commands& commands, std::uint32_t count, std::uint32_t digits);
 

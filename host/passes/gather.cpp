@@ -19,25 +19,26 @@ GatherPass::GatherPass(const gpu::Device& device, const CellsPass& map, const st
       pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush)),
       tiles_(tiles) {
   for (const PixelTile& tile : tiles)
-    buffers_.push_back(pass_.bind(
-        {{0, map.photons, gpu::Format::rgba32ui}, {1, map.cells}, {2, tile.samples}, {3, counters_}}));
+    buffers_.push_back(
+        pass_.bind({{0, map.photons, gpu::Format::rgba32ui}, {1, map.cells}, {2, tile.samples}, {3, counters_}}));
 }
 
-void GatherPass::run(gpu::Commands& commands, const Grid& grid, double radius, std::uint32_t stream) {
+void GatherPass::run(gpu::Commands& commands, const Grid& grid, std::uint32_t stream) {
   shared::GatherPush push{};
-  push.radius = static_cast<float>(radius);
-  push.cell_size = grid.cell_size;
+  push.narrowest = static_cast<float>(grid.discs.narrowest);
+  push.levels = grid.levels;
   push.cell_mask = grid.mask;
   push.map = stream;
   commands.fill(counters_, 0);
   std::uint32_t most = 0;
   while (push.first_candidate <= most) {
-    commands.barrier();
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-      push.pixels = tiles_[t].count;
-      commands.dispatch(pass_, buffers_[t], push, groups_of_64(push.pixels));
-    }
-    commands.submit_and_wait();
+    for (std::size_t t = 0; t < tiles_.size(); ++t)
+      batch_.run(commands, tiles_[t].count, [&](std::uint32_t first, std::uint32_t count) {
+        push.first_pixel = first;
+        push.pixels = first + count;
+        commands.barrier();
+        commands.dispatch(pass_, buffers_[t], push, groups_of_64(count));
+      });
     most = counters_.download<std::uint32_t>()[shared::COUNTER_MOST_CANDIDATES];
     push.first_candidate += shared::GATHER_ROUND;
   }

@@ -11,13 +11,14 @@ class GatherPass {
   // `tiles` must outlive the pass, which adds to their samples.
   GatherPass(const gpu::Device& device, const CellsPass& map, const std::vector<PixelTile>& tiles, bool texel);
   // Submits as many rounds as the pixel with the most candidates needs, after what is recorded already.
-  void run(gpu::Commands& commands, const Grid& grid, double radius, std::uint32_t stream);
+  void run(gpu::Commands& commands, const Grid& grid, std::uint32_t stream);
 
  private:
   gpu::Buffer counters_;
   gpu::ComputePass pass_;
   const std::vector<PixelTile>& tiles_;
   std::vector<gpu::BindingSet> buffers_;  // by tile
+  Batch batch_;
 };
 
 }  // namespace meniscal::passes

@@ -1,40 +1,50 @@
 #include "host/passes/photons.h"
 
+#include <cmath>
+
 #include "shaders/shaders.h"
 #include "shaders/shared/bindings.h"
 
 namespace meniscal::passes {
 namespace {
 
-gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables) {
+gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, bool differentials) {
   std::vector<gpu::Binding> layout = tables.layout();
-  for (std::uint32_t i = 0; i < 4; ++i) layout.push_back({BIND_OUTPUT + i, gpu::Kind::storage});
-  return {device, "photons", shader("photons", tables.texel), layout, sizeof(shared::PhotonPush), tables.constants};
+  for (std::uint32_t i = 0; i < 3; ++i) layout.push_back({BIND_OUTPUT + i, gpu::Kind::storage});
+  return {device,
+          "photons",
+          shader("photons", tables.texel),
+          layout,
+          sizeof(shared::PhotonPush),
+          tables.constants(differentials)};
 }
 
 gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, const PhotonBuffers& b) {
   std::vector<gpu::Bound> bound = tables.bound();
   std::uint32_t binding = BIND_OUTPUT;
-  for (const gpu::Buffer* buffer : {&b.places, &b.powers, &b.keys, &b.entered}) bound.push_back({binding++, *buffer});
+  for (const gpu::Buffer* buffer : {&b.ends, &b.discs, &b.keys}) bound.push_back({binding++, *buffer});
   return pass.bind(bound);
 }
 
 }  // namespace
 
 PhotonBuffers::PhotonBuffers(const gpu::Device& device, std::size_t capacity)
-    : places(device, "photon places", capacity * sizeof(shared::PhotonPlace)),
-      powers(device, "photon powers", capacity * sizeof(shared::PhotonPower)),
-      keys(device, "photon cells", capacity * sizeof(std::uint32_t)),
-      entered(device, "photon flux at the target", capacity * sizeof(float)) {}
+    : ends(device, "photon ends", capacity * sizeof(shared::PhotonEnd)),
+      discs(device, "photon discs", capacity * sizeof(shared::PhotonDisc)),
+      keys(device, "photon cells", capacity * sizeof(std::uint32_t)) {}
 
-Grid make_grid(std::uint32_t photons, double radius) {
-  // Key digits of 7 bits hold 2^13 or 2^20 cells and the key of what is not stored.
-  const std::uint32_t cells = photons <= (1u << 14) ? 1u << 13 : 1u << 20;
-  return {cells - 1, static_cast<float>(2.0001 * radius)};
+Grid make_grid(std::uint32_t photons, const Discs& discs) {
+  const double ratio = discs.widest / discs.narrowest;
+  const auto levels =
+      static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(ratio) + 1e-3), 0.0, shared::GRID_LEVELS - 1.0)) + 1;
+  // About as many cells as photons; three digits hold 2^17 keys and that of what is not stored, four 2^23.
+  const std::uint32_t cells = photons <= (1u << 16) ? 1u << 14 : 1u << (levels > 1 ? 17 : 20);
+  return {discs, levels, cells - 1, std::size_t(levels) * cells <= (1u << 17) ? 3u : 4u};
 }
 
-PhotonPass::PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers)
-    : pass_(make_pass(device, tables)), buffers_(bind(pass_, tables, buffers)) {}
+PhotonPass::PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers,
+                       bool differentials)
+    : pass_(make_pass(device, tables, differentials)), buffers_(bind(pass_, tables, buffers)) {}
 
 void PhotonPass::run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::size_t stratum,
                      std::uint32_t pass, const Grid& grid) {
@@ -49,7 +59,9 @@ void PhotonPass::run(gpu::Commands& commands, const World& world, const RenderSe
   push.light_first = world.light_first;
   push.light_count = static_cast<std::uint32_t>(world.lights.size());
   push.power_scale = static_cast<float>(s.area / photons);
-  push.cell_size = grid.cell_size;
+  push.spread = static_cast<float>(grid.discs.spread);
+  push.narrowest = static_cast<float>(grid.discs.narrowest);
+  push.widest = static_cast<float>(grid.discs.widest);
   push.cell_mask = grid.mask;
   push.specular_bounces = settings.specular_bounces;
   batch_.run(commands, photons, [&](std::uint32_t first, std::uint32_t count) {

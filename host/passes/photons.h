@@ -7,22 +7,28 @@
 
 namespace meniscal::passes {
 
-// One slot a started photon.
+// One slot per started photon.
 struct PhotonBuffers {
-  gpu::Buffer places, powers, keys, entered;
+  gpu::Buffer ends, discs, keys;
   PhotonBuffers(const gpu::Device& device, std::size_t capacity);
 };
 
-// Cells of the hash grid for a map of this many photons: (mask, side).
+// The hash grid of a map in one pass: cells of several sizes, each photon in the cell of its disc's size that holds its
+// centre.
 struct Grid {
-  std::uint32_t mask;
-  float cell_size;
+  Discs discs;
+  std::uint32_t levels;  // cell sizes: those of discs.narrowest doubled so many times
+  std::uint32_t mask;    // cells of one level - 1
+  std::uint32_t digits;  // of shared::SORT_BITS, that keys need
+
+  std::size_t cells() const { return std::size_t(levels) * (mask + 1); }
 };
-Grid make_grid(std::uint32_t photons, double radius);
+Grid make_grid(std::uint32_t photons, const Discs& discs);
 
 class PhotonPass {
  public:
-  PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers);
+  // `differentials`: discs take their shape from them; else the shader leaves them out.
+  PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers, bool differentials);
   void run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::size_t stratum,
            std::uint32_t pass, const Grid& grid);
 

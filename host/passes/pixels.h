@@ -12,7 +12,8 @@ struct PixelTile {
 };
 
 inline std::vector<PixelTile> make_tiles(const gpu::Device& device, std::size_t pixels) {
-  const std::size_t most = std::min<std::size_t>(device.limits().max_storage_range / sizeof(shared::PixelSample), 1u << 20);
+  const std::size_t most =
+      std::min<std::size_t>(device.limits().max_storage_range / sizeof(shared::PixelSample), 1u << 20);
   std::vector<PixelTile> tiles;
   for (std::size_t first = 0; first < pixels; first += most) {
     const std::size_t count = std::min(most, pixels - first);

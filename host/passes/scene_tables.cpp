@@ -45,7 +45,7 @@ gpu::Buffer upload(const gpu::Device& device, const char* name, const std::vecto
   return buffer;
 }
 
-std::vector<std::uint32_t> scene_constants(const World& world) {
+std::vector<std::uint32_t> constants_of(const World& world) {
   const auto any_light = [&](auto type) { return std::any_of(world.lights.begin(), world.lights.end(), type); };
   const auto any_surface = [&](std::uint32_t kind) {
     return std::any_of(world.surfaces.begin(), world.surfaces.end(), [&](const auto& s) { return s.kind == kind; });
@@ -59,7 +59,8 @@ std::vector<std::uint32_t> scene_constants(const World& world) {
       any_surface(shared::SPECULAR_MIRROR),
       any_surface(shared::SPECULAR_DIELECTRIC),
       any_surface(shared::SPECULAR_THIN),
-      std::any_of(world.surfaces.begin(), world.surfaces.end(), [](const auto& s) { return s.absorption != glm::vec3(0); }),
+      std::any_of(world.surfaces.begin(), world.surfaces.end(),
+                  [](const auto& s) { return s.absorption != glm::vec3(0); }),
       std::bit_cast<std::uint32_t>(static_cast<float>(world.radius)),
   };
 }
@@ -74,13 +75,20 @@ SceneTables::SceneTables(const gpu::Device& device, const World& world, std::siz
       cdf(upload(device, "cdf", world.cdf)),
       targets(upload(device, "targets", world.targets)),
       counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
-      constants(scene_constants(world)),
-      texel(allow_texel && std::max(largest_table, scene.bytes() / sizeof(Texel)) <= device.limits().max_texel_elements) {}
+      scene_constants(constants_of(world)),
+      texel(allow_texel &&
+            std::max(largest_table, scene.bytes() / sizeof(Texel)) <= device.limits().max_texel_elements) {}
 
 void SceneTables::collect_counters() {
   const auto now = counters.download<std::uint32_t>();
   for (std::size_t i = 0; i < now.size(); ++i) sums[i] += now[i];
   counters.upload(std::vector<std::uint32_t>(shared::COUNTERS, 0));
+}
+
+std::vector<std::uint32_t> SceneTables::constants(bool differentials) const {
+  std::vector<std::uint32_t> constants = scene_constants;
+  constants.push_back(differentials);
+  return constants;
 }
 
 std::vector<gpu::Binding> SceneTables::layout() const {

@@ -8,17 +8,19 @@ namespace meniscal::passes {
 
 struct SceneTables {
   gpu::Buffer scene, normals, surfaces, lights, cdf, targets, counters;
-  std::vector<std::uint32_t> constants;  // specialisation constants of scene.glsl, in order of their ids
-  bool texel;                            // tables are read through texel buffers: how shaders are to be compiled
+  std::vector<std::uint32_t>
+      scene_constants;  // specialisation constants of scene.glsl, in order of their ids, without the last
+  bool texel;           // tables are read through texel buffers: how shaders are to be compiled
 
-  // Texel buffers are used where `allow_texel`, and where the largest table fits: `largest_table` is the number of 16-byte
-  // elements of the largest that shaders will read beside these.
+  // Texel buffers are used where `allow_texel`, and where the largest table fits: `largest_table` is the number of
+  // 16-byte elements of the largest that shaders will read beside these.
   SceneTables(const gpu::Device& device, const World& world, std::size_t largest_table, bool allow_texel);
 
   // Adds the GPU's 32-bit counters to `sums` and clears them: once a pass, before they run over.
   void collect_counters();
   std::array<std::uint64_t, shared::COUNTERS> sums{};  // by shared::COUNTER_*
 
+  std::vector<std::uint32_t> constants(bool differentials) const;
   std::vector<gpu::Binding> layout() const;  // of bindings 0 to BIND_OUTPUT - 1
   std::vector<gpu::Bound> bound() const;
 };

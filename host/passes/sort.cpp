@@ -7,7 +7,9 @@ namespace {
 
 using shared::SCAN_BLOCK, shared::SORT_BINS, shared::SORT_BITS, shared::SORT_CHUNK;
 
-std::uint32_t blocks(std::size_t count, std::uint32_t size) { return static_cast<std::uint32_t>((count + size - 1) / size); }
+std::uint32_t blocks(std::size_t count, std::uint32_t size) {
+  return static_cast<std::uint32_t>((count + size - 1) / size);
+}
 
 // Counters of all chunks, and behind them the totals of each level of the scan.
 std::size_t counters(std::size_t capacity) {

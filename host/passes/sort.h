@@ -15,7 +15,8 @@ class SortPass {
   // `keys`: up to `capacity` keys; overwritten by sorting.
   SortPass(const gpu::Device& device, const gpu::Buffer& keys, std::size_t capacity);
 
-  // Sorts the first `count` keys by their `digits` lowest digits of SORT_BITS. Recorded, not submitted; ends with a barrier.
+  // Sorts the first `count` keys by their `digits` lowest digits of SORT_BITS. Recorded, not submitted; ends with a
+  // barrier.
   void record(gpu::Commands& commands, std::uint32_t count, std::uint32_t digits);
   // Where the result of sorting by so many digits lies: the passes go to and fro.
   Sorted sorted(std::uint32_t digits) const;

@@ -1,5 +1,6 @@
 #include "host/reference/camera.h"
 
+#include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
@@ -8,20 +9,24 @@ namespace {
 
 Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const shared::RandomKey& key, std::uint32_t x,
                 std::uint32_t y) {
-  const double px = 2 * (x + double(shared::random_unit(key, 0))) / settings.width - 1;
-  const double py = 1 - 2 * (y + double(shared::random_unit(key, 1))) / settings.height;
+  const double jitter = pixel_jitter(settings, key.pass);
+  const double px = 2 * (x + 0.5 + jitter * (double(shared::random_unit(key, 0)) - 0.5)) / settings.width - 1;
+  const double py = 1 - 2 * (y + 0.5 + jitter * (double(shared::random_unit(key, 1)) - 0.5)) / settings.height;
   const glm::dvec3 offset = px * axes.right + py * axes.up;
   if (settings.camera.orthographic) return {{axes.origin + offset, axes.forward}};
   return {{axes.origin, glm::normalize(axes.forward + offset)}};
 }
 
 glm::dvec3 direct_irradiance(const Tracer& tracer, const Hit& hit, const glm::dvec3& side, const glm::dvec3& shading,
-                             const shared::RandomKey& key) {
+                             const glm::dvec3& absorption, const shared::RandomKey& key) {
   if (tracer.world().lights.empty()) return glm::dvec3(0);
   const LightSample light = sample_light(tracer.world(), hit.point, key);
   const double cosine = glm::dot(light.direction, shading);
   if (cosine <= 0 || glm::dot(light.direction, side) <= 0 || light.irradiance == glm::dvec3(0)) return glm::dvec3(0);
-  return visible(tracer, hit.point, hit.triangle, side, light) ? light.irradiance * cosine : glm::dvec3(0);
+  if (!visible(tracer, hit.point, hit.triangle, side, light)) return glm::dvec3(0);
+  // Nothing stands between: the light is in the medium that the camera path has come through.
+  const double way = std::isfinite(light.distance) ? light.distance : 0;
+  return light.irradiance * cosine * glm::exp(-absorption * way);
 }
 
 }  // namespace
@@ -58,7 +63,8 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
       sample.albedo = surface.albedo;
       sample.triangle = hit->triangle;
       sample.weight = glm::vec3(throughput * glm::dvec3(surface.albedo) * glm::one_over_pi<double>());
-      sample.direct = glm::vec3(direct_irradiance(tracer, *hit, side, front ? hit->shading : -hit->shading, key));
+      sample.direct =
+          glm::vec3(direct_irradiance(tracer, *hit, side, front ? hit->shading : -hit->shading, path.absorption, key));
       break;
     }
     scatter_specular(path, *hit, tracer, double(shared::random_unit(key, dimension + 1)));

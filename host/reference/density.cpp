@@ -4,9 +4,19 @@
 
 namespace meniscal::reference {
 
-PhotonMap::PhotonMap(std::span<const Photon> photons, double radius) : radius_(radius) {
-  for (const Photon& p : photons)
-    if (p.end < shared::END_FIRST) cells_[key(glm::i64vec3(glm::floor(p.position / (2 * radius))))].push_back(&p);
+PhotonMap::PhotonMap(std::span<const Photon> photons, double widest) : cell_size_(widest / 4) {
+  for (const Photon& p : photons) {
+    if (p.end >= shared::END_FIRST) continue;
+    // Half-extents along the axes of the ellipse with half-width vectors alpha / alpha^2 and beta / beta^2.
+    const glm::dvec3 a = p.disc.alpha / glm::dot(p.disc.alpha, p.disc.alpha),
+                     b = p.disc.beta / glm::dot(p.disc.beta, p.disc.beta);
+    const glm::dvec3 extent = glm::sqrt(a * a + b * b) + 1e-9 * widest;
+    const glm::i64vec3 low(glm::floor((p.position - extent) / cell_size_)),
+        high(glm::floor((p.position + extent) / cell_size_));
+    for (auto x = low.x; x <= high.x; ++x)
+      for (auto y = low.y; y <= high.y; ++y)
+        for (auto z = low.z; z <= high.z; ++z) cells_[key({x, y, z})].push_back(&p);
+  }
 }
 
 // 21 bits an axis: cells a million radii from the origin stay apart.
@@ -17,18 +27,19 @@ std::uint64_t PhotonMap::key(const glm::i64vec3& cell) {
 
 Density PhotonMap::estimate(const glm::dvec3& position, const glm::dvec3& normal) const {
   Density density;
-  const glm::i64vec3 base(glm::floor((position - radius_) / (2 * radius_)));
-  for (int c = 0; c < 8; ++c) {
-    const auto cell = cells_.find(key(base + glm::i64vec3(c & 1, (c >> 1) & 1, c >> 2)));
-    if (cell == cells_.end()) continue;
-    for (const Photon* p : cell->second) {
-      const glm::dvec3 to_photon = p->position - position;
-      const double q2 = glm::dot(to_photon, to_photon) / (radius_ * radius_);
-      // Photons of another side of the surface, or beyond a corner or step, are another surface's.
-      if (q2 >= 1 || glm::dot(p->normal, normal) <= 0.8 || std::abs(glm::dot(to_photon, normal)) >= 0.5 * radius_) continue;
-      density.irradiance += p->flux * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) / (radius_ * radius_));
-      ++density.photons;
-    }
+  const auto cell = cells_.find(key(glm::i64vec3(glm::floor(position / cell_size_))));
+  if (cell == cells_.end()) return density;
+  for (const Photon* p : cell->second) {
+    const glm::dvec3 offset = position - p->position, facing = glm::cross(p->disc.alpha, p->disc.beta);
+    const double a = glm::dot(p->disc.alpha, offset), b = glm::dot(p->disc.beta, offset), q2 = a * a + b * b;
+    // Photons of another side of the surface, or beyond a corner or step, are another surface's.
+    const double widest =
+        1 / std::sqrt(std::min(glm::dot(p->disc.alpha, p->disc.alpha), glm::dot(p->disc.beta, p->disc.beta)));
+    if (q2 >= 1 || glm::dot(facing, normal) <= 0.8 * glm::length(facing) ||
+        std::abs(glm::dot(offset, normal)) >= 0.5 * widest)
+      continue;
+    density.irradiance += p->flux * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) * glm::length(facing));
+    ++density.photons;
   }
   return density;
 }

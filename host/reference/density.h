@@ -13,16 +13,17 @@ struct Density {
   int photons = 0;
 };
 
-// Photons of one map in cells of two radii.
+// Photons of one map, each in all cells that its disc's surroundings reach.
 class PhotonMap {
  public:
-  PhotonMap(std::span<const Photon> photons, double radius);
-  // Sum of flux K(distance / radius) / radius^2 over the photons round a point of a surface with this normal.
+  // `widest`: of the discs' half-widths, m.
+  PhotonMap(std::span<const Photon> photons, double widest);
+  // Sum of flux K(q2) / (product of half-widths) over the discs that hold a point of a surface with this normal.
   Density estimate(const glm::dvec3& position, const glm::dvec3& normal) const;
 
  private:
   static std::uint64_t key(const glm::i64vec3& cell);
-  double radius_;
+  double cell_size_;
   std::unordered_map<std::uint64_t, std::vector<const Photon*>> cells_;
 };
 

@@ -1,5 +1,5 @@
-// Geometric optics at an interface, in double precision, written apart from the shaders' so that one can check the other.
-// Directions are unit vectors; `cosine` is the positive cosine between the direction of arrival and the normal.
+// Geometric optics at an interface, in double precision, written apart from the shaders' so that one can check the
+// other. Directions are unit vectors; `cosine` is the positive cosine between the direction of arrival and the normal.
 #pragma once
 
 #include <algorithm>

@@ -13,37 +13,38 @@ void scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double r
   const glm::dvec3 arrival = path.ray.direction;
   const bool front = glm::dot(arrival, triangle.geometric) < 0;
   const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
+  const double ior = double(surface.ior), eta = front ? 1 / ior : ior;
+
   glm::dvec3 normal = front ? hit.shading : -hit.shading;
-  if (glm::dot(arrival, normal) >= 0) normal = side;
-  const double cosine = -glm::dot(arrival, normal);
-  const double ior = double(surface.ior);
+  auto dn = normal_differential(triangle, hit, path.differential);
+  if (!front) dn = {-dn[0], -dn[1]};
+  const auto bend_with_facet = [&] { normal = side, dn = {}; };
+  if (glm::dot(arrival, normal) >= 0) bend_with_facet();
 
   bool reflected = true;
-  switch (surface.kind) {
-    case shared::SPECULAR_DIELECTRIC: {
-      const double eta = front ? 1 / ior : ior;
-      reflected = random < fresnel_reflectance(cosine, eta);
-      if (!reflected && glm::dot(refract(arrival, normal, eta), side) >= 0) {
-        normal = side;
-        reflected = refracted_cosine(-glm::dot(arrival, side), eta) < 0;
-      }
-      if (reflected) break;
+  if (surface.kind == shared::SPECULAR_DIELECTRIC) {
+    reflected = random < fresnel_reflectance(-glm::dot(arrival, normal), eta);
+    if (!reflected && glm::dot(refract(arrival, normal, eta), side) >= 0) {
+      bend_with_facet();
+      reflected = refracted_cosine(-glm::dot(arrival, side), eta) < 0;
+    }
+  } else if (surface.kind == shared::SPECULAR_THIN) {
+    reflected = random < sheet_reflectance(-glm::dot(arrival, normal), ior);
+  }
+  if (reflected && glm::dot(reflect(arrival, normal), side) <= 0) bend_with_facet();
+
+  if (reflected) {
+    reflect(path.differential, arrival, normal, dn);
+    path.ray.direction = reflect(arrival, normal);
+    if (surface.kind == shared::SPECULAR_MIRROR) path.throughput *= glm::dvec3(surface.tint);
+  } else {
+    path.throughput *= glm::dvec3(surface.tint);
+    if (surface.kind == shared::SPECULAR_DIELECTRIC) {
+      refract(path.differential, arrival, normal, dn, eta);
       path.ray.direction = refract(arrival, normal, eta);
-      path.throughput *= glm::dvec3(surface.tint);
       path.radiance_scale *= eta * eta;
       path.absorption = front ? glm::dvec3(surface.absorption) : glm::dvec3(0);
-      break;
     }
-    case shared::SPECULAR_THIN:
-      reflected = random < sheet_reflectance(cosine, ior);
-      if (!reflected) path.throughput *= glm::dvec3(surface.tint);
-      break;
-    default:
-      path.throughput *= glm::dvec3(surface.tint);
-  }
-  if (reflected) {
-    path.ray.direction = reflect(arrival, normal);
-    if (glm::dot(path.ray.direction, side) <= 0) path.ray.direction = reflect(arrival, side);
   }
   path.ray.direction = glm::normalize(path.ray.direction);
   path.ray.origin = tracer.leave(hit.point, reflected ? side : -side);
@@ -56,9 +57,9 @@ LightSample sample_light(const World& world, const glm::dvec3& point, const shar
   const Picked picked =
       pick(world.cdf, world.light_first, world.lights.size(), shared::random_bits(key, shared::DIM_LIGHT));
   const shared::Light& light = world.lights[picked.index];
-  const glm::dvec3 axis(light.direction);
-  LightSample s{-axis, std::numeric_limits<double>::infinity(),
-                glm::dvec3(light.intensity) / double(light.probability), no_triangle};
+  const glm::dvec3 axis = glm::normalize(glm::dvec3(light.direction));
+  LightSample s{-axis, std::numeric_limits<double>::infinity(), glm::dvec3(light.intensity) / double(light.probability),
+                no_triangle};
   if (light.type == shared::LIGHT_DIRECTIONAL) return s;
 
   glm::dvec3 on_light(light.position);

@@ -1,43 +1,47 @@
 // What both kinds of path, photons and camera paths, do on their way: meet specular surfaces and sample lights.
 #pragma once
 
-#include "host/reference/tracer.h"
+#include "host/reference/differentials.h"
 #include "shaders/shared/random.h"
 
 namespace meniscal::reference {
 
-// Shifts the decisions of a path by less than float can resolve: an end that such a shift changes hangs on rounding. See replay tests.
+// Shifts the decisions of a path by less than float can resolve: an end that such a shift changes hangs on rounding.
+// See replay tests.
 struct Perturbation {
-  glm::dvec3 start{0};    // metres, added to where the path starts
-  double roulette = 0;    // added to every random number that decides
+  glm::dvec3 start{0};  // metres, added to where the path starts
+  double roulette = 0;  // added to every random number that decides
 };
 
 struct Path {
   Ray ray;
   std::uint32_t triangle = no_triangle;  // it starts on
   glm::dvec3 throughput{1};
-  glm::dvec3 absorption{0};              // of the medium it is in, 1/m
-  double radiance_scale = 1;             // product of (n_beyond / n_arrival)^-2: for radiance, not for flux
+  glm::dvec3 absorption{0};     // of the medium it is in, 1/m
+  double radiance_scale = 1;    // product of (n_beyond / n_arrival)^-2: for radiance, not for flux
+  Differential differential{};  // for photons
 };
 
-// Sends the path on from `hit`: mirror, Fresnel reflection or refraction by roulette with `random` in [0, 1), or straight
-// through a thin sheet. Directions bend with the shading normal; where the outcome is then on the wrong side of the triangle,
-// with the geometric one.
+// Sends the path on from `hit`: mirror, Fresnel reflection or refraction by roulette with `random` in [0, 1), or
+// straight through a thin sheet. Directions bend with the shading normal; where the outcome is then on the wrong side
+// of the triangle, with the geometric one.
 void scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random);
 
 // Beer-Lambert over `distance` metres.
 void absorb(Path& path, double distance);
 
 struct LightSample {
-  glm::dvec3 direction;    // from the point towards the light
-  double distance;         // infinite for directional lights
-  glm::dvec3 irradiance;   // on a surface facing the light, over the sample's probability (density); 0: not emitted this way
+  glm::dvec3 direction;  // from the point towards the light
+  double distance;       // infinite for directional lights
+  glm::dvec3
+      irradiance;  // on a surface facing the light, over the sample's probability (density); 0: not emitted this way
   std::uint32_t triangle;  // of an area light
 };
 
 LightSample sample_light(const World& world, const glm::dvec3& point, const shared::RandomKey& key);
 
-// Whether nothing at all, specular surfaces included, stands between a point of `triangle`, seen from `side`, and the light sample.
+// Whether nothing at all, specular surfaces included, stands between a point of `triangle`, seen from `side`, and the
+// light sample.
 bool visible(const Tracer& tracer, const glm::dvec3& point, std::uint32_t triangle, const glm::dvec3& side,
              const LightSample& light);
 

@@ -1,4 +1,5 @@
-// Closest hits in double precision. Naive on purpose: a median-split tree and recursion, no tuning; it checks the GPU's.
+// Closest hits in double precision. Naive on purpose: a median-split tree and recursion, no tuning; it checks the
+// GPU's.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -13,7 +13,7 @@ namespace meniscal {
 struct Tally {
   std::uint64_t started = 0, kept = 0, visible = 0, stored = 0;  // kept: survived the cosine's roulette
   double flux_in = 0, flux_escaped = 0, flux_cut = 0;
-  std::vector<double> flux_landed;                               // by material
+  std::vector<double> flux_landed;  // by material
 
   // One photon: flux as it met its target, flux and end as it ended. `material`: uint32_t triangle -> material.
   template <class MaterialOf>
@@ -24,8 +24,10 @@ struct Tally {
     if (end == shared::END_BLOCKED) return;
     ++visible;
     flux_in += entered;
-    if (end == shared::END_ESCAPED) flux_escaped += flux;
-    else if (end == shared::END_CUT) flux_cut += flux;
+    if (end == shared::END_ESCAPED)
+      flux_escaped += flux;
+    else if (end == shared::END_CUT)
+      flux_cut += flux;
     else {
       ++stored;
       flux_landed[material_of(end)] += flux;
@@ -67,7 +69,7 @@ class Backend {
     std::map<std::string, double> seconds{};  // by stage: upload, compile, photons, camera, grid, gather
     std::size_t bytes_peak = 0;               // device memory
     std::uint64_t rays = 0;
-    std::uint64_t traversal_limits = 0;       // rays that were cut short: must be 0
+    std::uint64_t traversal_limits = 0;  // rays that were cut short: must be 0
   };
   virtual Statistics statistics() const = 0;
 };

@@ -38,7 +38,8 @@ const std::vector<Aov>& all_aovs() {
       {"depth", {"Z"}, [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.depth)); }},
       {"position", xyz, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.position); }},
       {"meniscus", {"Y"}, [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.meniscus)); }},
-      {"density", {"Y"},
+      {"density",
+       {"Y"},
        [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.targeted_count + s.caustic_count)); }},
       {"variance", rgb, [](const PixelSample&, const MapScale&) { return glm::dvec3(0); }},
   };
@@ -56,8 +57,8 @@ const std::vector<std::string>& aov_names() {
   return names;
 }
 
-Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale)
-    : crop_(crop), scale_(scale), beauty_(crop.pixels()), squares_(crop.pixels()) {
+Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale, const glm::dvec3& origin)
+    : crop_(crop), scale_(scale), origin_(origin), beauty_(crop.pixels()), squares_(crop.pixels()) {
   for (const Aov& a : all_aovs())
     if (std::find(aovs.begin(), aovs.end(), a.name) != aovs.end())
       aovs_.push_back({a.name, a.channels, std::vector<double>(crop.pixels() * a.channels.size())});
@@ -73,10 +74,12 @@ void Film::add(const std::vector<PixelSample>& samples) {
     squares_[i] += radiance * radiance;
   }
   for (Sum& sum : aovs_) {
-    const auto aov = std::find_if(all_aovs().begin(), all_aovs().end(), [&](const Aov& a) { return a.name == sum.name; });
+    const auto aov =
+        std::find_if(all_aovs().begin(), all_aovs().end(), [&](const Aov& a) { return a.name == sum.name; });
     const std::size_t channels = sum.channels.size();
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      const glm::dvec3 value = aov->value(samples[i], scale_);
+      glm::dvec3 value = aov->value(samples[i], scale_);
+      if (sum.name == "position" && samples[i].triangle < shared::END_FIRST) value += origin_;
       for (std::size_t c = 0; c < channels; ++c) sum.values[i * channels + c] += value[static_cast<int>(c)];
     }
   }

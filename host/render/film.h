@@ -19,15 +19,19 @@ const std::vector<std::string>& aov_names();
 class Film {
  public:
   // `aovs`: of aov_names(). Nothing is kept for a layer that is not asked for.
-  Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale);
+  // `origin`: of the local coordinates, in those of the scene, which the layer `position` is in.
+  Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale,
+       const glm::dvec3& origin = glm::dvec3(0));
 
   void add(const std::vector<shared::PixelSample>& samples);
   std::uint32_t passes() const { return passes_; }
 
-  // Means over the passes: the beauty and the layers asked for. `variance` is that of the mean, per channel, from the spread of the passes; 0 while there is but one.
+  // Means over the passes: the beauty and the layers asked for. `variance` is that of the mean, per channel, from the
+  // spread of the passes; 0 while there is but one.
   Image image(std::uint32_t full_width, std::uint32_t full_height) const;
 
-  // Relative standard error of the image: sqrt(sum of variances / sum of squares) over all pixels; negative for fewer than two passes.
+  // Relative standard error of the image: sqrt(sum of variances / sum of squares) over all pixels; negative for fewer
+  // than two passes.
   double error_estimate() const;
 
  private:
@@ -40,6 +44,7 @@ class Film {
 
   Crop crop_;
   MapScale scale_;
+  glm::dvec3 origin_;
   std::uint32_t passes_ = 0;
   std::vector<glm::dvec3> beauty_, squares_;
   std::vector<Sum> aovs_;

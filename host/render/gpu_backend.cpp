@@ -25,11 +25,17 @@ struct MapPasses {
   passes::CellsPass cells;
   passes::GatherPass gather;
 
-  MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles, std::size_t capacity)
+  MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
+            const RenderSettings& settings)
+      : MapPasses(device, tables, tiles, most_photons(settings), settings.discs[0]) {}
+
+ private:
+  MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
+            std::size_t capacity, const Discs& discs)
       : photons(device, capacity),
-        trace(device, tables, photons),
+        trace(device, tables, photons, !discs.round()),
         sort(device, photons.keys, capacity),
-        cells(device, photons, sort, capacity, tables.texel),
+        cells(device, photons, sort, capacity, std::size_t(shared::GRID_LEVELS) << 17, tables.texel),
         gather(device, cells, tiles, tables.texel) {}
 };
 
@@ -52,16 +58,17 @@ struct GpuBackend::Passes {
         world(w),
         settings(std::move(s)),
         commands(device),
-        tables(device, world, 2 * most_photons(settings), allow_texel),
+        tables(device, world, 3 * most_photons(settings), allow_texel),
         tiles(passes::make_tiles(device, settings.crop.pixels())),
         camera(device, tables, tiles) {
-    if (most_photons(settings) > 0) maps.emplace(device, tables, tiles, most_photons(settings));
+    if (most_photons(settings) > 0) maps.emplace(device, tables, tiles, settings);
     compile_seconds = seconds_since(start) - upload_seconds;
   }
 
   // By the stages of interface: seconds of "photons", "grid", "gather", and of set-up.
   std::map<std::string, double> seconds() const {
-    static const std::map<std::string, std::string> stage = {{"photons", "photons"}, {"camera", "camera"}, {"gather", "gather"}};
+    static const std::map<std::string, std::string> stage = {
+        {"photons", "photons"}, {"camera", "camera"}, {"gather", "gather"}};
     std::map<std::string, double> sums = {{"upload", upload_seconds}, {"compile", compile_seconds}};
     for (const auto& [pass, time] : commands.seconds_by_pass())
       sums[stage.contains(pass) ? stage.at(pass) : "grid"] += time;
@@ -70,12 +77,10 @@ struct GpuBackend::Passes {
 
   Tally tally(std::size_t stratum) const {
     const std::uint32_t started = settings.photons[stratum];
-    const auto powers = maps->photons.powers.download<shared::PhotonPower>(0, started);
-    const auto entered = maps->photons.entered.download<float>(0, started);
     Tally tally;
     tally.flux_landed.resize(world.surfaces.size());
-    for (std::uint32_t i = 0; i < started; ++i)
-      tally.count(double(entered[i]), mean_of(powers[i].flux), powers[i].end,
+    for (const shared::PhotonEnd& p : maps->photons.ends.download<shared::PhotonEnd>(0, started))
+      tally.count(double(p.entered), mean_of(p.flux), p.end,
                   [&](std::uint32_t triangle) { return world.triangles[triangle].material; });
     return tally;
   }
@@ -93,13 +98,11 @@ PassResult GpuBackend::render_pass(std::uint32_t pass) {
     const std::uint32_t count = p.settings.photons[s];
     result.tallies.emplace_back().flux_landed.resize(p.world.surfaces.size());
     if (count == 0) continue;
-    const double radius = pass_radius(p.settings.first_radius[s], pass);
-    const passes::Grid grid = passes::make_grid(count, radius);
-    const std::uint32_t digits = grid.mask < (1u << 13) ? 2 : 3;
+    const passes::Grid grid = passes::make_grid(count, pass_discs(p.settings.discs[s], pass));
     p.maps->trace.run(p.commands, p.world, p.settings, s, pass, grid);
-    p.maps->sort.record(p.commands, count, digits);
-    p.maps->cells.record(p.commands, count, digits);
-    p.maps->gather.run(p.commands, grid, radius, p.world.strata[s].stream);
+    p.maps->sort.record(p.commands, count, grid.digits);
+    p.maps->cells.record(p.commands, count, grid.digits);
+    p.maps->gather.run(p.commands, grid, p.world.strata[s].stream);
     result.tallies.back() = p.tally(s);
   }
   p.tables.collect_counters();
@@ -113,20 +116,24 @@ PassResult GpuBackend::render_pass(std::uint32_t pass) {
 std::vector<PhotonEnd> GpuBackend::trace_photons(std::size_t stratum, std::uint32_t pass) {
   Passes& p = *passes_;
   const std::uint32_t count = p.settings.photons[stratum];
-  p.maps->trace.run(p.commands, p.world, p.settings, stratum, pass, passes::make_grid(count, 1));
-  const auto places = p.maps->photons.places.download<shared::PhotonPlace>(0, count);
-  const auto powers = p.maps->photons.powers.download<shared::PhotonPower>(0, count);
+  p.maps->trace.run(p.commands, p.world, p.settings, stratum, pass,
+                    passes::make_grid(count, pass_discs(p.settings.discs[stratum], pass)));
   std::vector<PhotonEnd> ends;
-  for (std::uint32_t i = 0; i < count; ++i)
-    ends.push_back({glm::dvec3(places[i].position), glm::dvec3(powers[i].flux), powers[i].end});
+  for (const shared::PhotonEnd& e : p.maps->photons.ends.download<shared::PhotonEnd>(0, count))
+    ends.push_back({glm::dvec3(e.position), glm::dvec3(e.flux), e.end});
   return ends;
 }
 
 Backend::Statistics GpuBackend::statistics() const {
   const Passes& p = *passes_;
   const gpu::DeviceInfo& info = p.device.info();
-  return {info.name, info.type, info.driver, p.seconds(), p.device.bytes_peak(),
-          p.tables.sums[shared::COUNTER_RAYS], p.tables.sums[shared::COUNTER_TRAVERSAL_LIMIT]};
+  return {info.name,
+          info.type,
+          info.driver,
+          p.seconds(),
+          p.device.bytes_peak(),
+          p.tables.sums[shared::COUNTER_RAYS],
+          p.tables.sums[shared::COUNTER_TRAVERSAL_LIMIT]};
 }
 
 }  // namespace meniscal

@@ -10,8 +10,8 @@ namespace meniscal {
 
 class GpuBackend final : public Backend {
  public:
-  // `world` must outlive the backend. Without `allow_texel` tables are read through storage buffers even where texel buffers would
-  // do. Throws Error(ExitCode::device) when the device cannot hold or run it.
+  // `world` must outlive the backend. Without `allow_texel` tables are read through storage buffers even where texel
+  // buffers would do. Throws Error(ExitCode::device) when the device cannot hold or run it.
   GpuBackend(gpu::Device device, const World& world, RenderSettings settings, bool allow_texel = true);
   ~GpuBackend() override;
 

@@ -22,7 +22,7 @@ glm::dmat4 projection(const RenderSettings& settings) {
 
 }  // namespace
 
-void describe(Image& image, const Scene& scene, const World& world, const RenderSettings& settings, MeniscusModel model,
+void describe(Image& image, const Scene& scene, const RenderSettings& settings, MeniscusModel model,
               const RunStatistics& run, double render_seconds) {
   image.text["software"] = "meniscal " MENISCAL_VERSION;
   image.text["sceneHash"] = scene.hash;
@@ -33,8 +33,7 @@ void describe(Image& image, const Scene& scene, const World& world, const Render
   for (std::uint32_t n : settings.photons) photons += n;
   image.numbers["photonsPerPass"] = photons;
   image.numbers["specularBounces"] = settings.specular_bounces;
-  for (std::size_t i = 0; i < settings.first_radius.size(); ++i)
-    image.numbers["radius_" + world.strata[i].name] = settings.first_radius[i];
+  if (!settings.discs.empty()) image.numbers["radius"] = settings.discs[0].narrowest;
   image.numbers["renderTime"] = render_seconds;
 
   glm::dmat4 to_world = settings.camera.pose;

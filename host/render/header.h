@@ -6,7 +6,7 @@
 
 namespace meniscal {
 
-void describe(Image& image, const Scene& scene, const World& world, const RenderSettings& settings, MeniscusModel model,
+void describe(Image& image, const Scene& scene, const RenderSettings& settings, MeniscusModel model,
               const RunStatistics& run, double render_seconds);
 
 }  // namespace meniscal

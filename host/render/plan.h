@@ -1,4 +1,5 @@
-// What a scene requires and what it does not: decided once, shown by `info` and in the statistics, carried into the shaders.
+// What a scene requires and what it does not: decided once, shown by `info` and in the statistics, carried into the
+// shaders.
 #pragma once
 
 #include "host/render/settings.h"
@@ -17,8 +18,7 @@ Plan make_plan(const World& world);
 // Photons per pass by stratum: all of them together `photons`. None where no light could start them.
 std::vector<std::uint32_t> photon_budget(const World& world, std::uint32_t photons);
 
-// Gather radius of pass 0 by stratum: wide enough for some tens of photons where they are spread evenly over the stratum's
-// area, between 1 and 16 pixels of `footprint` metres.
-std::vector<double> default_radii(const World& world, const std::vector<std::uint32_t>& photons, double footprint);
+// Discs of pass 0 for photons of any stratum, from the side of a pixel on what is seen, in metres.
+Discs default_discs(double footprint);
 
 }  // namespace meniscal

@@ -8,7 +8,8 @@ std::vector<Tally> render_passes(Backend& backend, const PassRange& passes, Film
   for (std::uint32_t pass = passes.first; pass < passes.last; ++pass) {
     const PassResult result = backend.render_pass(pass);
     film.add(result.samples);
-    if (tallies.empty()) tallies = result.tallies;
+    if (tallies.empty())
+      tallies = result.tallies;
     else
       for (std::size_t s = 0; s < tallies.size(); ++s) tallies[s].add(result.tallies[s]);
     if (!after_pass(pass - passes.first + 1)) break;

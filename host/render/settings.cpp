@@ -14,14 +14,16 @@ CameraAxes camera_axes(const Camera& camera, std::uint32_t width, std::uint32_t 
     // A square view in a wider image keeps its width as well as its height in sight.
     if (half_width < camera.xmag) half_width = camera.xmag, half_height = camera.xmag / image_aspect;
   }
-  const glm::dvec3 right = glm::normalize(rotation[0]), up = glm::normalize(rotation[1]), back = glm::normalize(rotation[2]);
+  const glm::dvec3 right = glm::normalize(rotation[0]), up = glm::normalize(rotation[1]),
+                   back = glm::normalize(rotation[2]);
   glm::dvec3 origin(camera.pose[3]);
   return {half_width * right, half_height * up, -back, origin};
 }
 
 namespace {
 
-// Distance along a ray to the nearest diffuse triangle; infinite where there is none. Refraction is left out: it is a size that is wanted.
+// Distance along a ray to the nearest diffuse triangle; infinite where there is none. Refraction is left out: it is a
+// size that is wanted.
 double diffuse_distance(const World& world, const glm::dvec3& origin, const glm::dvec3& direction) {
   double nearest = INFINITY;
   for (const WorldTriangle& t : world.triangles) {

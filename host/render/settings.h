@@ -1,6 +1,7 @@
 // What a render was asked for, complete: nothing is left to default any more.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -17,26 +18,53 @@ struct Crop {
   std::size_t pixels() const { return std::size_t(width()) * height(); }
 };
 
+// The discs over which photons spread. Half-widths follow the photon's differentials: `spread` times the spacing of
+// starts, carried to where the photon landed, within [narrowest, widest]. With narrowest = widest all discs are round
+// and of that radius.
+struct Discs {
+  double spread = 2.4;
+  double narrowest = 0, widest = 0;  // m
+  bool round() const { return narrowest == widest; }
+};
+
+// Discs of a pass, from those of pass 0; they shrink so that the mean over the passes converges to the truth. Round
+// ones by r_i^2 = r_0^2 prod_{k=1..i} (k + a) / (k + 1), a = 2/3 (Knaus and Zwicker 2011, eq. 20, from 0); the others
+// as (i + 1)^(-1/4), the power at which measured errors fell fastest.
+inline Discs pass_discs(const Discs& first, std::uint32_t pass) {
+  constexpr double a = 2.0 / 3.0;
+  const double i = pass;
+  if (first.round()) {
+    // The product in closed form: Gamma(i + 1 + a) / (Gamma(1 + a) Gamma(i + 2)).
+    const double radius =
+        first.narrowest * std::exp(0.5 * (std::lgamma(i + 1 + a) - std::lgamma(1 + a) - std::lgamma(i + 2)));
+    return {first.spread, radius, radius};
+  }
+  const double shrink = std::pow(i + 1, -0.25);
+  return {shrink * first.spread, shrink * first.narrowest, first.widest};
+}
+
 struct RenderSettings {
   std::uint32_t seed = 0;
   std::uint32_t width = 640, height = 480;
   Crop crop{0, 0, 640, 480};
   Camera camera;
   std::vector<std::uint32_t> photons;  // started per pass, by stratum of the world
-  std::vector<double> first_radius;     // gather radius of pass 0 by stratum, m
+  std::vector<Discs> discs;            // of pass 0, by stratum
+  double footprint = 0;                // side of a pixel on what is seen, m
   std::uint32_t specular_bounces = 8;
 };
 
-// Gather radius of a pass: r_i^2 = r_0^2 prod_{k=1..i} (k + a) / (k + 1), a = 2/3 (Knaus and Zwicker 2011, eq. 20, from 0).
-inline double pass_radius(double first_radius, std::uint32_t pass) {
-  // The product in closed form: Gamma(i + 1 + a) / (Gamma(1 + a) Gamma(i + 2)).
-  constexpr double a = 2.0 / 3.0;
-  const double i = pass;
-  return first_radius * std::exp(0.5 * (std::lgamma(i + 1 + a) - std::lgamma(1 + a) - std::lgamma(i + 2)));
+// How much of a pixel's side camera rays are spread over in a pass, in [0, 1]. Discs average over a part of the pixel
+// already: variance w^2 / 8 of a disc of half-width w, and that of the spread, 1/12 of its square, make up a pixel's
+// 1/12 together. Round discs leave it all to the rays.
+inline double pixel_jitter(const RenderSettings& settings, std::uint32_t pass) {
+  if (settings.discs.empty() || settings.discs[0].round()) return 1;
+  const double width = pass_discs(settings.discs[0], pass).narrowest / settings.footprint;
+  return std::sqrt(std::max(1 - 1.5 * width * width, 0.0));
 }
 
-// Image-plane axes of a camera, scaled: a ray through (x, y) in [-1, 1]^2 has offset x right + y up. A camera without an aspect
-// ratio takes the image's; one with another than the image's keeps its vertical extent.
+// Image-plane axes of a camera, scaled: a ray through (x, y) in [-1, 1]^2 has offset x right + y up. A camera without
+// an aspect ratio takes the image's; one with another than the image's keeps its vertical extent.
 struct CameraAxes {
   glm::dvec3 right, up, forward, origin;
 };

@@ -63,16 +63,18 @@ Json photons_json(const World& world, const RunStatistics& run, std::uint32_t pa
     started += run.tallies[i].started;
     stored += run.tallies[i].stored;
   }
+  for (const char* map : {"targeted", "caustic", "global"})  // always all of them: scripts read these
+    if (!maps.contains(map)) maps[map] = tally_json(world, Tally{}, 0);
   Json photons = {{"started", started}, {"stored", stored}};
   photons.update(maps);
   return photons;
 }
 
+// Narrowest half-width of the discs, in the first and the last pass.
 Json radius_json(const RenderSettings& settings, const PassRange& passes) {
-  if (settings.first_radius.empty() || passes.last == passes.first) return Json::array();
-  // Of the map with the widest radius.
-  const double first = *std::max_element(settings.first_radius.begin(), settings.first_radius.end());
-  return {pass_radius(first, passes.first), pass_radius(first, passes.last - 1)};
+  if (settings.discs.empty() || passes.last == passes.first) return Json::array();
+  return {pass_discs(settings.discs[0], passes.first).narrowest,
+          pass_discs(settings.discs[0], passes.last - 1).narrowest};
 }
 
 std::size_t host_peak_bytes() {
@@ -83,9 +85,11 @@ std::size_t host_peak_bytes() {
 
 }  // namespace
 
-Json statistics_json(const World& world, const RenderSettings& settings, MeniscusModel model, const RunStatistics& run) {
+Json statistics_json(const World& world, const RenderSettings& settings, MeniscusModel model,
+                     const RunStatistics& run) {
   std::map<std::string, double> seconds = run.seconds;
-  seconds.merge(std::map(run.backend.seconds));
+  for (const char* stage : {"upload", "compile", "photons", "grid", "gather"}) seconds[stage] = 0;
+  for (const auto& [stage, time] : run.backend.seconds) seconds[stage] = time;
   seconds["meniscus"] = world.meniscus_seconds;
   seconds["bvh"] = world.bvh_seconds;
   const std::uint32_t passes = run.passes.last - run.passes.first;

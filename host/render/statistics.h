@@ -12,10 +12,10 @@ namespace meniscal {
 
 struct RunStatistics {
   Backend::Statistics backend;
-  std::vector<Tally> tallies;              // sums over the passes, by stratum of the world
-  PassRange passes;                        // that were rendered
-  double error_estimate = -1;              // negative: unknown
-  std::map<std::string, double> seconds;   // of the host's stages: load, write, total
+  std::vector<Tally> tallies;             // sums over the passes, by stratum of the world
+  PassRange passes;                       // that were rendered
+  double error_estimate = -1;             // negative: unknown
+  std::map<std::string, double> seconds;  // of the host's stages: load, write, total
 };
 
 nlohmann::ordered_json statistics_json(const World& world, const RenderSettings& settings, MeniscusModel model,

@@ -15,10 +15,10 @@ namespace meniscal {
 
 // Properties of a liquid (material extras `meniscus_*`), resolved against the named liquid's table.
 struct LiquidProperties {
-  std::string kind;              // "water", ..., "custom"
-  double surface_tension;        // N/m
-  double density;                // kg/m3
-  bool opaque = false;           // mercury: a mirror, nothing passes
+  std::string kind;                   // "water", ..., "custom"
+  double surface_tension;             // N/m
+  double density;                     // kg/m3
+  bool opaque = false;                // mercury: a mirror, nothing passes
   double default_contact_angle = 30;  // degrees; of solids that state none
   double height_scale = 1, sweep_scale = 1;
   std::string profile = "sine";
@@ -29,37 +29,38 @@ struct LiquidProperties {
 struct Material {
   std::string name;
   glm::dvec3 base_color{1};
-  double metallic = 1, roughness = 1;      // glTF's defaults
+  double metallic = 1, roughness = 1;  // glTF's defaults
   double transmission = 0;
   double ior = 1.5;
-  double specular = 1;                     // KHR_materials_specular: specularFactor
-  bool has_thickness = false;              // KHR_materials_volume with thicknessFactor > 0
-  glm::dvec3 absorption{0};                // 1/m per channel, from attenuation colour and distance
-  glm::dvec3 emission{0};                  // radiance, emissiveFactor * emissiveStrength
+  double specular = 1;         // KHR_materials_specular: specularFactor
+  bool has_thickness = false;  // KHR_materials_volume with thicknessFactor > 0
+  glm::dvec3 absorption{0};    // 1/m per channel, from attenuation colour and distance
+  glm::dvec3 emission{0};      // radiance, emissiveFactor * emissiveStrength
   bool double_sided = false;
   std::optional<LiquidProperties> liquid;
-  std::optional<double> contact_angle;     // degrees, with every liquid
+  std::optional<double> contact_angle;               // degrees, with every liquid
   std::map<std::string, double> contact_angle_with;  // degrees, by the name of the liquid's material
   bool meniscus_ignore = false;
-  bool target = false;                     // meniscus_target
+  bool target = false;  // meniscus_target
   std::optional<int> dielectric_priority;
 };
 
 // One primitive of one mesh node, in world space.
 struct Object {
-  std::string name;                        // node name, else mesh name; "name/primitive" where a mesh has several
-  meniscus::TriangleMesh mesh;             // normals always present: the file's, or facet normals (vertices split)
+  std::string name;             // node name, else mesh name; "name/primitive" where a mesh has several
+  meniscus::TriangleMesh mesh;  // normals always present: the file's, or facet normals (vertices split)
   bool has_file_normals = false;
-  bool closed = false;                     // every edge of the whole glTF mesh (all its primitives, positions merged) is shared by two triangles
-  int material = 0;                        // index into Scene::materials
+  bool closed =
+      false;  // every edge of the whole glTF mesh (all its primitives, positions merged) is shared by two triangles
+  int material = 0;  // index into Scene::materials
 };
 
 struct Camera {
   std::string name;
-  glm::dmat4 pose{1};                      // camera to world; looks along its -Z, +Y up
+  glm::dmat4 pose{1};  // camera to world; looks along its -Z, +Y up
   bool orthographic = false;
-  double yfov = 0.8, aspect = 0;           // radians; aspect 0: not given, the image decides
-  double xmag = 1, ymag = 1;               // half width and height of an orthographic view, metres
+  double yfov = 0.8, aspect = 0;  // radians; aspect 0: not given, the image decides
+  double xmag = 1, ymag = 1;      // half width and height of an orthographic view, metres
   double znear = 0;
 };
 
@@ -68,21 +69,21 @@ struct PunctualLight {
   std::string name;
   Type type = Type::point;
   glm::dvec3 position{0}, direction{0, 0, -1};  // direction: unit, the way the light travels
-  glm::dvec3 intensity{1};                 // directional: normal irradiance (lx); else intensity (cd); colour included
+  glm::dvec3 intensity{1};  // directional: normal irradiance (lx); else intensity (cd); colour included
   double inner_cone = 0, outer_cone = 0.78539816339744831;  // spot half-angles, radians
-  double angular_diameter = 0;             // directional: radians, full
+  double angular_diameter = 0;                              // directional: radians, full
 };
 
 struct Scene {
-  std::string file;                        // as given, for messages
-  std::string hash;                        // of the file's bytes and of its buffers', hexadecimal
-  glm::dvec3 origin{0};                    // world position of the local origin
-  double gravity = 9.80665;                // m/s2, along -Y
-  std::vector<Material> materials;         // the last one is glTF's default material when an object has none
+  std::string file;                 // as given, for messages
+  std::string hash;                 // of the file's bytes and of its buffers', hexadecimal
+  glm::dvec3 origin{0};             // world position of the local origin
+  double gravity = 9.80665;         // m/s2, along -Y
+  std::vector<Material> materials;  // the last one is glTF's default material when an object has none
   std::vector<Object> objects;
-  std::vector<Camera> cameras;             // at least one: a default camera that sees everything is made when the file has none
+  std::vector<Camera> cameras;  // at least one: a default camera that sees everything is made when the file has none
   std::vector<PunctualLight> lights;
-  std::vector<std::string> warnings;       // each said once, naming the object and what was done
+  std::vector<std::string> warnings;  // each said once, naming the object and what was done
 };
 
 // Reads a glTF 2.0 scene (.gltf or .glb). Throws Error(ExitCode::scene) that names file, object, reason and remedy.

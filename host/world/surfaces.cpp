@@ -3,11 +3,12 @@
 namespace meniscal {
 
 shared::Surface make_surface(const Material& m, bool closed) {
-  const bool smooth = m.roughness < specular_roughness;
+  const bool smooth = m.liquid || m.roughness < specular_roughness;
   const bool opaque_liquid = m.liquid && m.liquid->opaque;
   const double mirror = smooth ? (opaque_liquid ? 1.0 : m.metallic) : 0.0;
   const double transmissive = smooth && !opaque_liquid ? (1 - m.metallic) * m.transmission : 0.0;
-  // A material is one thing to a path: the roulette between specular and diffuse picks the stronger of its specular sides.
+  // A material is one thing to a path: the roulette between specular and diffuse picks the stronger of its specular
+  // sides.
   const bool transmits = transmissive > mirror;
   const bool refracts = m.liquid || m.target || m.has_thickness || closed;
 

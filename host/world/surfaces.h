@@ -9,7 +9,7 @@ namespace meniscal {
 // Below this roughness a surface is specular (S), above it is diffuse (D): photons are stored there (physics: photons).
 inline constexpr double specular_roughness = 0.05;
 
-// `closed`: every object of the material is a closed volume; decides whether a transmissive material without thickness refracts.
+// `closed`: stands on closed meshes; decides whether a transmissive material without thickness refracts.
 shared::Surface make_surface(const Material& material, bool closed);
 
 }  // namespace meniscal

@@ -1,11 +1,11 @@
 #include "host/world/world.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
-#include <map>
+#include <stdexcept>
 
 #include "host/error.h"
 #include "host/world/lights.h"
@@ -21,8 +21,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 double contact_angle(const Material& solid, const Material& liquid) {
   const auto named = solid.contact_angle_with.find(liquid.name);
-  const double degrees = named != solid.contact_angle_with.end() ? named->second
-                         : solid.contact_angle.value_or(liquid.liquid->default_contact_angle);
+  const double degrees = named != solid.contact_angle_with.end()
+                             ? named->second
+                             : solid.contact_angle.value_or(liquid.liquid->default_contact_angle);
   return glm::radians(degrees);
 }
 
@@ -69,12 +70,25 @@ void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh&
 
 // The liquid's surface with its menisci.
 void append_liquid(World& world, const Scene& scene, const Object& object, MeniscusModel model) {
-  const meniscus::Surface surface =
-      meniscus::build(make_liquid(scene, object, model), solids_for(scene, scene.materials[object.material]));
+  const meniscus::Surface surface = [&] {
+    try {
+      return meniscus::build(make_liquid(scene, object, model), solids_for(scene, scene.materials[object.material]));
+    } catch (const std::invalid_argument& error) {
+      throw Error(ExitCode::scene, scene.file + ": " + error.what());
+    }
+  }();
   append(world.triangles, surface.mesh, object.material, &surface.meniscus, false);
   world.liquids.push_back({object.name, surface.contacts,
                            static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1))});
   for (const std::string& w : surface.warnings) world.warnings.push_back(fmt::format("{}: {}", scene.file, w));
+}
+
+// Six times the signed volume: negative where a closed mesh faces inward.
+double signed_volume(const meniscus::TriangleMesh& mesh) {
+  double sum = 0;
+  for (const glm::uvec3& t : mesh.triangles)
+    sum += glm::dot(mesh.positions[t.x], glm::cross(mesh.positions[t.y], mesh.positions[t.z]));
+  return sum;
 }
 
 // Puts triangles into the order of the BVH's leaves.
@@ -121,27 +135,65 @@ void build_strata(World& world) {
   append_cdf(world.cdf, world.lights.size(), 1.0, [&](std::size_t i) { return double(world.lights[i].probability); });
 }
 
+// Surfaces by material; a material of closed and of open meshes gets a second one, since only the closed ones refract.
+// Gives each material's surface on closed meshes.
+std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
+  const std::size_t materials = scene.materials.size();
+  std::vector<bool> on_open(materials, false), on_closed(materials, false);
+  for (const Object& o : scene.objects) (o.closed ? on_closed : on_open)[o.material] = true;
+  const auto add = [&](const Material& m, bool closed) {
+    world.surfaces.push_back(make_surface(m, closed));
+    world.material_names.push_back(m.name);
+    return static_cast<std::uint32_t>(world.surfaces.size() - 1);
+  };
+  std::vector<std::uint32_t> closed_surface;
+  for (std::size_t i = 0; i < materials; ++i) {
+    const Material& m = scene.materials[i];
+    closed_surface.push_back(add(m, on_closed[i] && !on_open[i]));
+    if (m.roughness < specular_roughness) continue;
+    if (m.liquid)
+      world.warnings.push_back(
+          fmt::format("{}: material \"{}\": liquids are smooth here; its roughness {:.3g} is taken as 0", scene.file,
+                      m.name, m.roughness));
+    else if (m.transmission > 0 || m.target)
+      world.warnings.push_back(
+          fmt::format("{}: material \"{}\": roughness {:.3g} makes it diffuse and opaque; below {} it is specular",
+                      scene.file, m.name, m.roughness, specular_roughness));
+  }
+  for (std::size_t i = 0; i < materials; ++i)
+    if (on_closed[i] && on_open[i] && world.surfaces[i].kind == shared::SPECULAR_THIN)
+      closed_surface[i] = add(scene.materials[i], true);
+  return closed_surface;
+}
+
 }  // namespace
 
 World build_world(const Scene& scene, MeniscusModel model) {
   World world;
   const auto start = std::chrono::steady_clock::now();
+  const std::vector<std::uint32_t> closed_surface = build_surfaces(world, scene);
   for (const Object& object : scene.objects) {
     const Material& m = scene.materials[object.material];
-    if (m.liquid) append_liquid(world, scene, object, model);
-    else append(world.triangles, object.mesh, static_cast<std::uint32_t>(object.material), nullptr, m.target);
+    const auto material = static_cast<std::uint32_t>(object.material);
+    if (m.liquid)
+      append_liquid(world, scene, object, model);
+    else if (object.closed && m.transmission > 0 && signed_volume(object.mesh) < 0)
+      world.warnings.push_back(
+          fmt::format("{}: object \"{}\": its faces point inward, so it is a cavity in its own material; turn its "
+                      "normals outward for a solid",
+                      scene.file, object.name));
+    if (!m.liquid)
+      append(world.triangles, object.mesh, object.closed ? closed_surface[material] : material, nullptr, m.target);
   }
-  if (model == MeniscusModel::exact && !world.liquids.empty())
-    world.warnings.push_back(scene.file + ": the exact meniscus is not available yet; the paper's profile is used (--meniscus paper)");
+  const bool contacts =
+      std::any_of(world.liquids.begin(), world.liquids.end(), [](const auto& l) { return !l.contacts.empty(); });
+  if (model == MeniscusModel::exact && contacts)
+    world.warnings.push_back(
+        scene.file + ": the exact meniscus is not available yet; the paper's profile is used (--meniscus paper)");
   world.meniscus_seconds = seconds_since(start);
-  if (world.triangles.empty()) throw Error(ExitCode::scene, scene.file + ": no triangle with an area; nothing to render");
+  if (world.triangles.empty())
+    throw Error(ExitCode::scene, scene.file + ": no triangle with an area; nothing to render");
 
-  std::map<int, bool> closed;
-  for (const Object& o : scene.objects) closed.try_emplace(o.material, true).first->second &= o.closed;
-  for (int i = 0; i < static_cast<int>(scene.materials.size()); ++i) {
-    world.surfaces.push_back(make_surface(scene.materials[i], closed.contains(i) && closed[i]));
-    world.material_names.push_back(scene.materials[i].name);
-  }
   for (const WorldTriangle& t : world.triangles)
     for (const glm::dvec3& c : t.corner) world.radius = std::max(world.radius, glm::length(c));
   build_hierarchy(world);

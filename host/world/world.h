@@ -1,5 +1,5 @@
-// The scene as it is rendered: flat tables of triangles, surfaces and lights, and where photons start. Double precision;
-// the reference path reads it as it is, the GPU gets a float copy.
+// The scene as it is rendered: flat tables of triangles, surfaces and lights, and where photons start. Double
+// precision; the reference path reads it as it is, the GPU gets a float copy.
 #pragma once
 
 #include <array>
@@ -28,36 +28,37 @@ struct WorldTriangle {
 
 // Triangles on which photons start, uniformly by area.
 struct Stratum {
-  std::string name;                  // "targeted", "caustic"
-  std::uint32_t stream;              // shared::STREAM_*
+  std::string name;                    // "targeted", "caustic"
+  std::uint32_t stream;                // shared::STREAM_*
   std::uint32_t first = 0, count = 0;  // range in World::targets and World::cdf
-  double area = 0;                   // m2
+  double area = 0;                     // m2
 };
 
 // What building a liquid's menisci gave, for `info` and the statistics.
 struct LiquidReport {
   std::string liquid;
   std::vector<meniscus::Contact> contacts;
-  std::size_t triangles = 0;         // of menisci
+  std::size_t triangles = 0;  // of menisci
 };
 
 struct World {
-  std::vector<WorldTriangle> triangles;      // in BVH order: leaves refer to consecutive ones
+  std::vector<WorldTriangle> triangles;  // in BVH order: leaves refer to consecutive ones
   std::vector<std::string> material_names;
-  std::vector<shared::Surface> surfaces;     // by material
+  std::vector<shared::Surface> surfaces;  // by material
   std::vector<shared::Light> lights;
-  std::vector<Stratum> strata;               // those that have triangles
-  std::vector<std::uint32_t> targets;        // triangles, by stratum
-  std::vector<std::uint32_t> cdf;            // of targets, then of lights: cumulative probability in units of 2^-32
-  std::uint32_t light_first = 0;             // where the lights' part of the CDF begins
+  std::vector<Stratum> strata;         // those that have triangles
+  std::vector<std::uint32_t> targets;  // triangles, by stratum
+  std::vector<std::uint32_t> cdf;      // of targets, then of lights: cumulative probability in units of 2^-32
+  std::uint32_t light_first = 0;       // where the lights' part of the CDF begins
   Bvh bvh;
-  double radius = 0;                         // of a sphere round the local origin that holds everything
+  double radius = 0;  // of a sphere round the local origin that holds everything
   std::vector<LiquidReport> liquids;
   std::vector<std::string> warnings;
   double meniscus_seconds = 0, bvh_seconds = 0;
 };
 
-// Raises the menisci (`none`: cuts the liquid where solids pierce it, level), flattens the scene and builds the tables. Deterministic. Throws Error(ExitCode::scene).
+// Raises the menisci (`none`: cuts the liquid where solids pierce it, level), flattens the scene and builds the tables.
+// Deterministic. Throws Error(ExitCode::scene).
 World build_world(const Scene& scene, MeniscusModel model);
 
 }  // namespace meniscal

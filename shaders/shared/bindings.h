@@ -3,13 +3,13 @@
 #define MENISCAL_BINDINGS_H
 
 // Scene tables, alike in every pass that traces rays.
-#define BIND_SCENE 0      // texels: BVH nodes, then triangle records, 4 texels each
-#define BIND_NORMALS 1    // texels: 3 a triangle, shading normals of its corners
-#define BIND_SURFACES 2   // Surface[], by material
-#define BIND_LIGHTS 3     // Light[]
-#define BIND_CDF 4        // uint[]: cumulative probabilities of targets and lights, scaled to 2^32
-#define BIND_TARGETS 5    // uint[]: triangles, beside their part of the CDF
-#define BIND_COUNTERS 6   // uint[COUNTERS]
-#define BIND_OUTPUT 7     // first binding of a pass's own
+#define BIND_SCENE 0     // texels: BVH nodes, then triangle records, 4 texels each
+#define BIND_NORMALS 1   // texels: 3 a triangle, shading normals of its corners
+#define BIND_SURFACES 2  // Surface[], by material
+#define BIND_LIGHTS 3    // Light[]
+#define BIND_CDF 4       // uint[]: cumulative probabilities of targets and lights, scaled to 2^32
+#define BIND_TARGETS 5   // uint[]: triangles, beside their part of the CDF
+#define BIND_COUNTERS 6  // uint[COUNTERS]
+#define BIND_OUTPUT 7    // first binding of a pass's own
 
 #endif

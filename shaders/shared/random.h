@@ -1,12 +1,13 @@
-// Counter-based random numbers: a number depends on (seed, pass, index, dimension) and on nothing else, so the GPU and the
-// reference path draw the same ones, in any order. All uniform numbers are half-open, [0, 1).
+// Counter-based random numbers: a number depends on (seed, pass, index, dimension) and on nothing else, so the GPU and
+// the reference path draw the same ones, in any order. All uniform numbers are half-open, [0, 1).
 #ifndef MENISCAL_RANDOM_H
 #define MENISCAL_RANDOM_H
 #include "dialect.h"
 
 SHARED_BEGIN
 
-// Dimensions of a photon's or camera path's number sequence. Paths take BOUNCE_DIMENSIONS numbers a bounce from FIRST_BOUNCE on.
+// Dimensions of a photon's or camera path's number sequence. Paths take BOUNCE_DIMENSIONS numbers a bounce from
+// FIRST_BOUNCE on.
 const uint DIM_LIGHT = 2u, DIM_LIGHT_U = 3u, DIM_LIGHT_V = 4u, DIM_COSINE = 5u, DIM_FIRST_BOUNCE = 8u;
 const uint BOUNCE_DIMENSIONS = 2u;  // 0: specular or diffuse, 1: reflect or refract
 // What the numbers are drawn for: keeps photons of the strata and camera paths apart.
@@ -59,8 +60,9 @@ SHARED uint owen_scramble(uint x, uint seed) {
   return reverse_bits(x);
 }
 
-// The index-th point of the first two Sobol dimensions, Owen-scrambled: stratified in the square over any 2^k consecutive indices,
-// each point alone uniform. `key.index` is the point; the scrambling depends on the rest of the key, so passes are independent.
+// The index-th point of the first two Sobol dimensions, Owen-scrambled: stratified in the square over any 2^k
+// consecutive indices, each point alone uniform. `key.index` is the point; the scrambling depends on the rest of the
+// key, so passes are independent.
 SHARED uvec2 sobol_point(RandomKey key) {
   uint y = 0u, v = 0x80000000u;
   for (uint i = key.index; i != 0u; i >>= 1u) {

@@ -1,4 +1,5 @@
-// Everything that CPU and GPU both see: buffer records, push constants, bindings. Written once; layouts are checked by a test.
+// Everything that CPU and GPU both see: buffer records, push constants, bindings. Written once; layouts are checked by
+// a test.
 #ifndef MENISCAL_STRUCTS_H
 #define MENISCAL_STRUCTS_H
 #include "dialect.h"
@@ -9,118 +10,139 @@ SHARED_BEGIN
 const uint SPECULAR_NONE = 0u, SPECULAR_MIRROR = 1u, SPECULAR_DIELECTRIC = 2u, SPECULAR_THIN = 3u;
 
 struct Surface {
-  vec3 albedo;       // of the diffuse part
-  float specular;    // probability that a path meets the specular part: 0 diffuse, 1 smooth glass, water or metal
-  vec3 tint;         // factor on what the specular part passes on (transmitted; reflected by a mirror)
-  float ior;         // inside (behind the geometric normal) against outside
-  vec3 absorption;   // 1/m, inside
-  uint kind;         // SPECULAR_*
-  vec3 emission;     // radiance
-  uint double_sided; // emits on both sides
+  vec3 albedo;        // of the diffuse part
+  float specular;     // probability that a path meets the specular part: 0 diffuse, 1 smooth glass, water or metal
+  vec3 tint;          // factor on what the specular part passes on (transmitted; reflected by a mirror)
+  float ior;          // inside (behind the geometric normal) against outside
+  vec3 absorption;    // 1/m, inside
+  uint kind;          // SPECULAR_*
+  vec3 emission;      // radiance
+  uint double_sided;  // emits on both sides
 };
 
 const uint LIGHT_DIRECTIONAL = 0u, LIGHT_POINT = 1u, LIGHT_SPOT = 2u, LIGHT_AREA = 3u;
 
 struct Light {
-  vec3 position;     // area: first corner
-  uint type;         // LIGHT_*
-  vec3 direction;    // unit, the way the light travels; area: the emitting side's normal
-  float probability; // of choosing this light
-  vec3 intensity;    // directional: normal irradiance; point and spot: intensity; area: radiance
-  uint double_sided; // area: emits on both sides
-  vec3 edge1;        // area: the corners are position, position + edge1, position + edge2
-  float area;        // area: m2
+  vec3 position;      // area: first corner
+  uint type;          // LIGHT_*
+  vec3 direction;     // unit, the way the light travels; area: the emitting side's normal
+  float probability;  // of choosing this light
+  vec3 intensity;     // directional: normal irradiance; point and spot: intensity; area: radiance
+  uint double_sided;  // area: emits on both sides
+  vec3 edge1;         // area: the corners are position, position + edge1, position + edge2
+  float area;         // area: m2
   vec3 edge2;
-  uint triangle;     // area: index of the emitting triangle
-  // Spot, as in KHR_lights_punctual: falloff clamp((cone_versine - v) cone_scale)^2, v = 1 - cosine from the axis (a versine keeps the
-  // digits that a cosine near 1 loses).
+  uint triangle;  // area: index of the emitting triangle
+  // Spot, as in KHR_lights_punctual: falloff clamp((cone_versine - v) cone_scale)^2, v = 1 - cosine from the axis (a
+  // versine keeps the digits that a cosine near 1 loses).
   float cone_scale, cone_versine;
   float pad0, pad1;
 };
 
 // A path's end where it is no triangle.
-const uint END_DROPPED = 0xFFFFFFF0u;   // lost the roulette on the cosine at the target
-const uint END_BLOCKED = 0xFFFFFFF1u;   // light sample not visible, or not emitting this way
-const uint END_ESCAPED = 0xFFFFFFF2u;   // left the scene
-const uint END_CUT = 0xFFFFFFF3u;       // more specular events than asked for
-const uint END_FIRST = 0xFFFFFFF0u;     // ends at and above this are no triangles
+const uint END_DROPPED = 0xFFFFFFF0u;  // lost the roulette on the cosine at the target
+const uint END_BLOCKED = 0xFFFFFFF1u;  // light sample not visible, or not emitting this way
+const uint END_ESCAPED = 0xFFFFFFF2u;  // left the scene
+const uint END_CUT = 0xFFFFFFF3u;      // more specular events than asked for
+const uint END_FIRST = 0xFFFFFFF0u;    // ends at and above this are no triangles
 
-// One slot per started photon; two streams of 16 bytes.
-struct PhotonPlace {
-  vec3 position;     // where it was stored
-  uint normal;       // geometric normal of the receiving surface, on the side of arrival (pack_direction)
+// One slot per started photon; two streams of 32 bytes.
+struct PhotonEnd {
+  vec3 position;  // where it was stored
+  uint end;       // triangle it was stored on, or END_*
+  vec3 flux;      // W, or lm in photometric scenes
+  float entered;  // flux as it met its target, mean over the channels
 };
-struct PhotonPower {
-  vec3 flux;         // W, or lm in photometric scenes
-  uint end;          // triangle it was stored on, or END_*
+// Its footprint where it was stored: q2 = (alpha x)^2 + (beta x)^2 of an offset x from its position is below 1 inside
+// an elliptic disc of area pi / |alpha x beta|. alpha x beta points to the side of arrival.
+struct PhotonDisc {
+  vec3 alpha;  // 1/m
+  float pad0;
+  vec3 beta;
+  float pad1;
+};
+// As gathered: three texels of 16 bytes.
+struct GatheredPhoton {
+  vec3 position;
+  float flux_r;
+  vec3 alpha;
+  float flux_g;
+  vec3 beta;
+  float flux_b;
 };
 
 // What one pass says of one pixel. The radiance is emitted + weight * (direct + targeted + caustic).
 struct PixelSample {
-  vec3 position;     // of the visible point: the first non-specular surface on the camera path
-  float depth;       // along the camera ray to the first surface of any kind; 0: none
-  vec3 normal;       // geometric, at the visible point, towards the viewer
-  float meniscus;    // 1 where the camera ray first meets a meniscus
-  vec3 albedo;       // at the visible point
-  uint triangle;     // of the visible point, or END_*
-  vec3 weight;       // radiance per irradiance: throughput * albedo / pi; 0 where no visible point
+  vec3 position;   // of the visible point: the first non-specular surface on the camera path
+  float depth;     // along the camera ray to the first surface of any kind; 0: none
+  vec3 normal;     // geometric, at the visible point, towards the viewer
+  float meniscus;  // 1 where the camera ray first meets a meniscus
+  vec3 albedo;     // at the visible point
+  uint triangle;   // of the visible point, or END_*
+  vec3 weight;     // radiance per irradiance: throughput * albedo / pi; 0 where no visible point
   float pad0;
-  vec3 emitted;      // radiance that reaches the camera from light-emitting surfaces
+  vec3 emitted;  // radiance that reaches the camera from light-emitting surfaces
   float pad1;
-  vec3 direct;       // irradiance from the lights
+  vec3 direct;  // irradiance from the lights
   float pad2;
-  vec3 targeted;     // irradiance from the targeted map
+  vec3 targeted;         // irradiance from the targeted map
   float targeted_count;  // photons found
-  vec3 caustic;      // irradiance from the caustic map
+  vec3 caustic;          // irradiance from the caustic map
   float caustic_count;
 };
 
 struct PhotonPush {
-  uint seed, pass, stream, first;            // first: photon index of invocation 0
-  uint count, target_first, target_count;    // count: photons of this dispatch; targets: their range in the tables
-  uint light_first, light_count;             // range of the lights in the CDF
-  float power_scale;                         // stratum area / photons started in the stratum
-  float cell_size;                           // of the hash grid, m
-  uint cell_mask;                            // number of cells - 1 (a power of two)
+  uint seed, pass, stream, first;          // first: photon index of invocation 0
+  uint count, target_first, target_count;  // count: photons of this dispatch; targets: their range in the tables
+  uint light_first, light_count;           // range of the lights in the CDF
+  float power_scale;                       // stratum area / photons started in the stratum
+  float spread;                            // disc half-width in units of the spacing of starts
+  float narrowest, widest;                 // bounds of a disc's half-widths, m; equal: all discs are round
+  uint cell_mask;                          // cells of one level of the hash grid - 1 (a power of two)
   uint specular_bounces;
 };
 
 struct CameraPush {
-  vec4 right, up, forward;   // world-space axes scaled to the image plane: direction or offset = x right + y up (x, y in [-1, 1])
-  vec4 origin;               // w: 1 orthographic
-  uint seed, pass, width, height;            // of the whole image
-  uint crop_x, crop_y, crop_width, first;    // first: pixel of the crop of invocation 0
+  vec4 right, up,
+      forward;  // world-space axes scaled to the image plane: direction or offset = x right + y up (x, y in [-1, 1])
+  vec4 origin;  // w: 1 orthographic
+  uint seed, pass, width, height;          // of the whole image
+  uint crop_x, crop_y, crop_width, first;  // first: pixel of the crop of invocation 0
   uint count, light_count, light_first, specular_bounces;
-  uint buffer_first;                         // pixel of the crop that stands first in the output buffer
+  uint buffer_first;  // pixel of the crop that stands first in the output buffer
+  float jitter;       // part of a pixel's side that rays spread over, round its centre
 };
 
 struct GatherPush {
-  float radius;
-  float cell_size;
+  float narrowest;  // half-width of level 0; level i holds discs of up to 2^i times that
+  uint levels;
   uint cell_mask;
   uint pixels;
-  uint map;                  // 0 targeted, 1 caustic
-  uint first_candidate;      // candidates (photons in the cells around) tested by earlier rounds
-  uint pad0, pad1;
+  uint map;              // 0 targeted, 1 caustic
+  uint first_candidate;  // candidates (photons in the cells around) tested by earlier rounds
+  uint first_pixel;      // of invocation 0; up to `pixels`, one past the last
+  uint pad0;
 };
 
 struct SortPush {
-  uint count;                // elements
-  uint shift;                // of the digit
-  uint chunks;               // invocations, each of SORT_CHUNK elements
-  uint identity;             // 1: values are not read but are the elements' indices
+  uint count;     // elements
+  uint shift;     // of the digit
+  uint chunks;    // invocations, each of SORT_CHUNK elements
+  uint identity;  // 1: values are not read but are the elements' indices
 };
 
 struct ScanPush {
-  uint first, count;         // range of the buffer to scan
-  uint totals;               // where the blocks' totals go (behind the range)
+  uint first, count;  // range of the buffer to scan
+  uint totals;        // where the blocks' totals go (behind the range)
   uint pad0;
 };
 
 // Sorting: a stable radix sort by digits of SORT_BITS, each invocation taking SORT_CHUNK consecutive elements.
-const uint SORT_BITS = 7u, SORT_BINS = 128u, SORT_CHUNK = 256u, SCAN_BLOCK = 128u;
-// The key of what is not stored: larger than that of any cell.
-const uint NO_CELL = 0x001FFFFFu;
+const uint SORT_BITS = 6u, SORT_BINS = 64u, SORT_CHUNK = 256u, SCAN_BLOCK = 128u;
+// The key of what is not stored: behind every cell, by however many digits is sorted.
+const uint NO_CELL = 0x00FFFFFFu;
+// Levels of the hash grid, at the most.
+const uint GRID_LEVELS = 8u;
 
 // Candidates a pixel tests in one dispatch: lavapipe stops a shader's loops at about 65,535 iterations.
 const uint GATHER_ROUND = 32768u;

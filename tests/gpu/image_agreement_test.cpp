@@ -1,15 +1,19 @@
 // Pictures: GPU against reference, run against run, seed against seed.
 #include <cmath>
+#include <cstring>
 
 #include "tests/support/scene_setup.h"
 
 namespace meniscal {
 namespace {
 
-std::vector<shared::PixelSample> samples_of(Backend& backend, std::uint32_t pass) { return backend.render_pass(pass).samples; }
+std::vector<shared::PixelSample> samples_of(Backend& backend, std::uint32_t pass) {
+  return backend.render_pass(pass).samples;
+}
 
 glm::dvec3 radiance(const shared::PixelSample& s) {
-  return glm::dvec3(s.emitted) + glm::dvec3(s.weight) * (glm::dvec3(s.direct) + glm::dvec3(s.targeted) + glm::dvec3(s.caustic));
+  return glm::dvec3(s.emitted) +
+         glm::dvec3(s.weight) * (glm::dvec3(s.direct) + glm::dvec3(s.targeted) + glm::dvec3(s.caustic));
 }
 
 class ImageAgreement : public testing::TestWithParam<const char*> {};
@@ -95,8 +99,8 @@ TEST(Gather, RoundsAddUp) {
   EXPECT_GT(most, 2.0f * shared::GATHER_ROUND);
 }
 
-// The GPU with one seed against the reference with another: they differ by their own variance alone, chi^2 per pixel near 1. On flat
-// water stratified starts leave so little noise that a Fresnel transmittance wrong by 1 % stands out.
+// The GPU with one seed against the reference with another: they differ by their own variance alone, chi^2 per pixel
+// near 1. On flat water stratified starts leave so little noise that a Fresnel transmittance wrong by 1 % stands out.
 class Seeds : public testing::TestWithParam<const char*> {};
 
 TEST_P(Seeds, GpuAndReferenceDifferByTheirVariance) {
@@ -114,8 +118,10 @@ TEST_P(Seeds, GpuAndReferenceDifferByTheirVariance) {
       scene.cameras[0].xmag = scene.cameras[0].ymag = 7e-3;
     });
     std::unique_ptr<Backend> backend;
-    if (run == 0) backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup->world, setup->settings);
-    else backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
+    if (run == 0)
+      backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup->world, setup->settings);
+    else
+      backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
     Film film(setup->settings.crop, {"variance"}, {});
     render_passes(*backend, {0, passes}, film, [](std::uint32_t) { return true; });
     images[run] = film.image(32, 32);
@@ -124,7 +130,8 @@ TEST_P(Seeds, GpuAndReferenceDifferByTheirVariance) {
   int count = 0;
   for (std::size_t i = 0; i < images[0].layers[0].pixels.size(); i += 3) {
     const double a = double(images[0].layers[0].pixels[i]), b = double(images[1].layers[0].pixels[i]);
-    const double variance = double(images[0].find("variance")->pixels[i]) + double(images[1].find("variance")->pixels[i]);
+    const double variance =
+        double(images[0].find("variance")->pixels[i]) + double(images[1].find("variance")->pixels[i]);
     noise += variance;
     signal += b * b;
     if (variance <= 0) {

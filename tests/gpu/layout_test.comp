@@ -6,16 +6,16 @@
 layout(local_size_x = 1) in;
 layout(set = 0, binding = 0, std430) writeonly buffer A { Surface surfaces[]; };
 layout(set = 0, binding = 1, std430) writeonly buffer B { Light lights[]; };
-layout(set = 0, binding = 2, std430) writeonly buffer C { PhotonPlace places[]; };
-layout(set = 0, binding = 3, std430) writeonly buffer D { PhotonPower powers[]; };
+layout(set = 0, binding = 2, std430) writeonly buffer C { PhotonEnd ends[]; };
+layout(set = 0, binding = 3, std430) writeonly buffer D { PhotonDisc discs[]; };
 layout(set = 0, binding = 4, std430) writeonly buffer E { PixelSample samples[]; };
 
 void main() {
   // The second element, so that the stride counts too.
   surfaces[1] = Surface(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16u);
   lights[1] = Light(vec3(1, 2, 3), 4u, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16, vec3(17, 18, 19), 20u, 21, 22, 23, 24);
-  places[1] = PhotonPlace(vec3(1, 2, 3), 4u);
-  powers[1] = PhotonPower(vec3(1, 2, 3), 4u);
+  ends[1] = PhotonEnd(vec3(1, 2, 3), 4u, vec3(5, 6, 7), 8);
+  discs[1] = PhotonDisc(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8);
   samples[1] = PixelSample(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16, vec3(17, 18, 19), 20,
                            vec3(21, 22, 23), 24, vec3(25, 26, 27), 28, vec3(29, 30, 31), 32);
 }

@@ -11,11 +11,15 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   REQUIRE_DEVICE();
   const gpu::Device device = gpu::Device::open("auto", true);
   const gpu::ComputePass pass(device, "layout", layout_test_spirv,
-                              {{0, gpu::Kind::storage}, {1, gpu::Kind::storage}, {2, gpu::Kind::storage}, {3, gpu::Kind::storage}, {4, gpu::Kind::storage}});
+                              {{0, gpu::Kind::storage},
+                               {1, gpu::Kind::storage},
+                               {2, gpu::Kind::storage},
+                               {3, gpu::Kind::storage},
+                               {4, gpu::Kind::storage}});
   const gpu::Buffer surfaces(device, "a", 2 * sizeof(shared::Surface)), lights(device, "b", 2 * sizeof(shared::Light)),
-      places(device, "c", 2 * sizeof(shared::PhotonPlace)), powers(device, "d", 2 * sizeof(shared::PhotonPower)),
+      ends(device, "c", 2 * sizeof(shared::PhotonEnd)), discs(device, "d", 2 * sizeof(shared::PhotonDisc)),
       samples(device, "e", 2 * sizeof(shared::PixelSample));
-  const gpu::BindingSet bound = pass.bind({{0, surfaces}, {1, lights}, {2, places}, {3, powers}, {4, samples}});
+  const gpu::BindingSet bound = pass.bind({{0, surfaces}, {1, lights}, {2, ends}, {3, discs}, {4, samples}});
   gpu::Commands commands(device);
   commands.dispatch(pass, bound, 1);
   commands.submit_and_wait();
@@ -43,12 +47,14 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   EXPECT_EQ(light.triangle, 20u);
   EXPECT_EQ(light.cone_scale, 21);
   EXPECT_EQ(light.cone_versine, 22);
-  const auto place = places.download<shared::PhotonPlace>()[1];
-  EXPECT_EQ(place.position, vec3(1, 2, 3));
-  EXPECT_EQ(place.normal, 4u);
-  const auto power = powers.download<shared::PhotonPower>()[1];
-  EXPECT_EQ(power.flux, vec3(1, 2, 3));
-  EXPECT_EQ(power.end, 4u);
+  const auto end = ends.download<shared::PhotonEnd>()[1];
+  EXPECT_EQ(end.position, vec3(1, 2, 3));
+  EXPECT_EQ(end.end, 4u);
+  EXPECT_EQ(end.flux, vec3(5, 6, 7));
+  EXPECT_EQ(end.entered, 8);
+  const auto disc = discs.download<shared::PhotonDisc>()[1];
+  EXPECT_EQ(disc.alpha, vec3(1, 2, 3));
+  EXPECT_EQ(disc.beta, vec3(5, 6, 7));
   const auto sample = samples.download<shared::PixelSample>()[1];
   EXPECT_EQ(sample.position, vec3(1, 2, 3));
   EXPECT_EQ(sample.depth, 4);

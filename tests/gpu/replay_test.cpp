@@ -23,8 +23,8 @@ bool explains(const reference::Tracer& tracer, const Stratum& stratum, const ref
   return false;
 }
 
-// Why a photon ended elsewhere: a start or hit within float's rounding of an edge or of another surface, or a decision within
-// rounding of its random number.
+// Why a photon ended elsewhere: a start or hit within float's rounding of an edge or of another surface, or a decision
+// within rounding of its random number.
 std::string reason(const reference::Tracer& tracer, const Stratum& stratum, const reference::PhotonSettings& settings,
                    std::uint32_t index, std::uint32_t gpu_end) {
   // Directions over the sphere, four sizes from a hundredth of float's rounding at the scene's radius up.
@@ -50,7 +50,7 @@ TEST_P(Replay, EveryPhotonEndsAlike) {
   for (std::size_t s = 0; s < setup->world.strata.size(); ++s) {
     const Stratum& stratum = setup->world.strata[s];
     const reference::PhotonSettings settings{setup->settings.seed, 3, setup->settings.photons[s],
-                                             setup->settings.specular_bounces};
+                                             setup->settings.specular_bounces, setup->settings.discs[s]};
     const std::vector<PhotonEnd> ends = gpu.trace_photons(s, 3);
     ASSERT_EQ(ends.size(), settings.started);
     double flux_sum = 0;
@@ -73,8 +73,8 @@ TEST_P(Replay, EveryPhotonEndsAlike) {
       EXPECT_LT(glm::distance(ends[i].position, expected[i].position), 1e-3 * setup->world.radius) << "photon " << i;
     }
     for (const Mismatch& m : mismatches) {
-      std::printf("{\"scene\":\"%s\",\"map\":\"%s\",\"photon\":%u,\"gpu\":%u,\"cpu\":%u,\"reason\":\"%s\"}\n", GetParam(),
-                  stratum.name.c_str(), m.index, m.gpu_end, m.reference_end, m.reason.c_str());
+      std::printf("{\"scene\":\"%s\",\"map\":\"%s\",\"photon\":%u,\"gpu\":%u,\"cpu\":%u,\"reason\":\"%s\"}\n",
+                  GetParam(), stratum.name.c_str(), m.index, m.gpu_end, m.reference_end, m.reason.c_str());
       EXPECT_NE(m.reason, "unexplained");
     }
     EXPECT_LE(mismatches.size(), settings.started / 10000) << stratum.name;

@@ -40,8 +40,8 @@ TEST_P(Sort, IsTheStableSort) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Sort,
-                         testing::Values(std::pair{1u, 2u}, std::pair{255u, 2u}, std::pair{257u, 3u}, std::pair{100003u, 3u},
-                                         std::pair{1000000u, 3u}),
+                         testing::Values(std::pair{1u, 2u}, std::pair{255u, 2u}, std::pair{257u, 3u},
+                                         std::pair{100003u, 3u}, std::pair{1000000u, 3u}),
                          [](const auto& tested) { return std::to_string(tested.param.first); });
 
 }  // namespace

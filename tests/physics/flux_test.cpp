@@ -7,7 +7,8 @@ namespace meniscal {
 namespace {
 
 // Irradiance through a facet of a point with this normal, from all lights, by the midpoint rule on each light.
-double irradiance(const reference::Tracer& tracer, const WorldTriangle& facet, std::uint32_t index, const glm::dvec3& point) {
+double irradiance(const reference::Tracer& tracer, const WorldTriangle& facet, std::uint32_t index,
+                  const glm::dvec3& point) {
   double sum = 0;
   const auto add = [&](const glm::dvec3& towards, double reach, std::uint32_t emitter, double facing) {
     const double cosine = glm::dot(facet.geometric, towards);
@@ -25,7 +26,8 @@ double irradiance(const reference::Tracer& tracer, const WorldTriangle& facet, s
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < 2 * (n - i) - 1; ++j) {
           const double third = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-          const glm::dvec3 on_light = position + (i + third) / n * glm::dvec3(light.edge1) + (j / 2 + third) / n * glm::dvec3(light.edge2);
+          const glm::dvec3 on_light =
+              position + (i + third) / n * glm::dvec3(light.edge1) + (j / 2 + third) / n * glm::dvec3(light.edge2);
           const double distance = glm::distance(on_light, point);
           const glm::dvec3 towards = (on_light - point) / distance;
           add(towards, distance, light.triangle,
@@ -36,7 +38,8 @@ double irradiance(const reference::Tracer& tracer, const WorldTriangle& facet, s
       const glm::dvec3 towards = (position - point) / distance;
       double falloff = 1;
       if (light.type == shared::LIGHT_SPOT)
-        falloff = std::clamp((double(light.cone_versine) - 1 - glm::dot(towards, axis)) * double(light.cone_scale), 0.0, 1.0);
+        falloff =
+            std::clamp((double(light.cone_versine) - 1 - glm::dot(towards, axis)) * double(light.cone_scale), 0.0, 1.0);
       add(towards, distance, reference::no_triangle, intensity * falloff * falloff / (distance * distance));
     }
   }

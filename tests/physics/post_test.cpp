@@ -27,12 +27,13 @@ Rings render_rings(const test::Setup& setup, std::uint32_t passes) {
       sums[bin] += double(s.direct.x + s.targeted.x + s.caustic.x);
       counts[bin] += 1;
     }
-    if (rings.tallies.empty()) rings.tallies = result.tallies;
+    if (rings.tallies.empty())
+      rings.tallies = result.tallies;
     else
       for (std::size_t i = 0; i < rings.tallies.size(); ++i) rings.tallies[i].add(result.tallies[i]);
   }
   for (std::size_t i = 0; i < sums.size(); ++i) rings.irradiance.push_back(counts[i] > 0 ? sums[i] / counts[i] : 0);
-  for (double r : setup.settings.first_radius) rings.final_radius_mm = std::max(rings.final_radius_mm, 1e3 * pass_radius(r, passes - 1));
+  rings.final_radius_mm = 1e3 * pass_discs(setup.settings.discs[0], passes - 1).narrowest;
   return rings;
 }
 
@@ -114,14 +115,17 @@ TEST_P(Post, FloorAndFluxFollowTheTables) {
     const double absorbed = test::number(row, "absorbed_by_solid"), mirrored = test::number(row, "mirrored");
     EXPECT_NEAR(tally.flux_in / 3 * 1e6, test::number(row, "incident"), 0.005 * test::number(row, "incident"));
     EXPECT_NEAR(landed_mm2("floor"), test::number(row, "floor_in_table"), 0.005 * test::number(row, "floor_in_table"));
+    // Some 2 % of the photons are mirrored: beyond the tolerance their number's own noise, 3 sigma, is allowed for.
+    const double mirrored_count = double(tally.kept) * mirrored / test::number(row, "incident");
+    const double mirrored_tolerance = mirrored * std::max(0.005, 3 / std::sqrt(mirrored_count));
     const double post = landed_mm2("post"), up = tally.flux_escaped / 3 * 1e6;
     std::printf("%s: rms %.4f, floor %.3f, post %.3f, up %.3f mm2\n", name.c_str(), rms, landed_mm2("floor"), post, up);
     if (absorbed > 0) {
       EXPECT_NEAR(post, absorbed, 0.005 * absorbed);
-      EXPECT_NEAR(up, mirrored, 0.005 * mirrored);
+      EXPECT_NEAR(up, mirrored, mirrored_tolerance);
     } else {
       // A depression mirrors part of the light onto the post's dry side: the table counts it as mirrored.
-      EXPECT_NEAR(post + up, mirrored, 0.005 * mirrored);
+      EXPECT_NEAR(post + up, mirrored, mirrored_tolerance);
     }
     return;
   }

@@ -1,0 +1,45 @@
+// How a photon's place and direction change with where on its target it starts: Igehy, "Tracing Ray Differentials",
+// SIGGRAPH 1999, carried by photons as in Schjoth et al., "Photon Differentials", 2007. They give each photon a
+// footprint of its own.
+#pragma once
+
+#include <array>
+
+#include "host/reference/tracer.h"
+
+namespace meniscal::reference {
+
+// Derivatives along two perpendicular directions in the target's facet, per metre.
+struct Differential {
+  std::array<glm::dvec3, 2> place{}, direction{};
+};
+
+// At the start: places differ within the facet; directions as the light's do: not at all from far away, about a point
+// at `distance`.
+Differential start_differential(const glm::dvec3& facet_normal, const glm::dvec3& direction, double distance);
+
+// Derivative of the interpolated unit shading normal along the place's derivatives, at a point of `triangle` where it
+// is `shading`.
+std::array<glm::dvec3, 2> normal_differential(const WorldTriangle& triangle, const Hit& hit, const Differential& d);
+
+// `normal` on the side of arrival, `dn` its derivative; `direction` is the one of arrival. Places stay.
+void reflect(Differential& d, const glm::dvec3& direction, const glm::dvec3& normal,
+             const std::array<glm::dvec3, 2>& dn);
+void refract(Differential& d, const glm::dvec3& direction, const glm::dvec3& normal,
+             const std::array<glm::dvec3, 2>& dn, double eta);
+
+// Over `distance` along `direction` onto a plane with this normal.
+void transfer(Differential& d, const glm::dvec3& direction, double distance, const glm::dvec3& plane);
+
+// An elliptic disc on the receiving surface, as the vectors whose products with an offset x give its place in the unit
+// disc: q^2 = (alpha x)^2 + (beta x)^2. Its area is pi / |alpha x beta|.
+struct Footprint {
+  glm::dvec3 alpha, beta;
+};
+
+// The disc of half-widths `spread` times those that a start differing by 1 m gives, each clamped to [narrowest,
+// widest].
+Footprint make_footprint(const Differential& d, const glm::dvec3& normal, double spread, double narrowest,
+                         double widest);
+
+}  // namespace meniscal::reference

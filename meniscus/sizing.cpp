@@ -1,0 +1,94 @@
+#include "meniscus/sizing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meniscus/band.h"
+#include "meniscus/field.h"
+#include "meniscus/predicates.h"
+
+namespace meniscus {
+namespace {
+
+constexpr double kGrowth = 0.2;           // of the distance between columns, per distance along the line
+constexpr double kMostTriangles = 2e6;    // of one contour
+constexpr double kWithinPatch = 1.04;     // sweep lengths: the patch reaches a little farther
+constexpr double kUnset = 1e300;
+
+// How far the column at this node reaches, up to `sweep`, before another foot is nearer; 0 where the liquid ends first.
+double free_length(const Node& node, const Field& field, const Patch& patch, double sweep) {
+  const auto at = [&](double d) { return planar(node.position) + d * node.contact.direction; };
+  constexpr double kNearer = 1 - 1e-6;
+  const auto own = [&](double d) { return !field.foot(at(d), kNearer * d).exists(); };
+  if (!patch.at(at(kWithinPatch * sweep))) return 0;
+  if (own(sweep)) return sweep;
+  double low = 0, high = sweep;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (low + high);
+    (own(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+// Leaves no size larger than that of a neighbour plus the growth over the distance between them.
+void grade(std::vector<Size>& sizes, double length, bool closed) {
+  const std::size_t n = sizes.size();
+  const auto limit = [&](std::size_t from, std::size_t to) {
+    double apart = std::abs(sizes[to].along - sizes[from].along);
+    if (closed) apart = std::min(apart, length - apart);
+    sizes[to].size = std::min(sizes[to].size, sizes[from].size + kGrowth * apart);
+  };
+  for (int round = 0; round < 1 + closed; ++round) {
+    for (std::size_t i = closed ? 0 : 1; i < n; ++i) limit((i + n - 1) % n, i);
+    for (std::size_t i = closed ? n : n - 1; i-- > 0;) limit((i + 1) % n, i);
+  }
+}
+
+}  // namespace
+
+std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const Patch& patch, double sweep_length,
+                                         std::vector<std::size_t>& coarsened) {
+  const Field field(lines);
+  const double wide = kAspect * Grading::widest(sweep_length);
+  std::vector<Resolution> result;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const ContactLine& line = lines[l];
+    const std::size_t n = line.nodes.size();
+    const double fine = kFineColumn * sweep_length;
+    Resolution resolution;
+    std::vector<double> free;
+    for (const Node& node : line.nodes) {
+      free.push_back(node.joint ? 0 : free_length(node, field, patch, sweep_length));
+      resolution.sizes.push_back({0, free.back() > 0 ? wide : fine});
+    }
+    double length = 0, columns = 0;
+    for (std::size_t i = 0; i < line.segments(); ++i) {
+      const Node &a = line.nodes[i], &b = line.next(i);
+      const double step = glm::distance(a.position, b.position);
+      const double turn = std::abs(turn_between(a.after.direction, b.before.direction));
+      Size &from = resolution.sizes[i], &to = resolution.sizes[(i + 1) % n];
+      const double slant = std::abs(free[(i + 1) % n] - free[i]);
+      double size = std::min(wide, std::max(fine, slant > 0 ? fine * step / slant : kUnset));
+      if (turn > 0) size = std::min(size, kColumnTurn * step / turn);
+      from.size = std::min(from.size, size), to.size = std::min(to.size, size);
+      length += step;
+      if (i + 1 < n) to.along = length;
+    }
+    if (!line.closed) resolution.sizes.front().size = resolution.sizes.back().size = fine;
+    grade(resolution.sizes, length, line.closed);
+    for (std::size_t i = 0; i < line.segments(); ++i) {
+      const double step = glm::distance(line.nodes[i].position, line.next(i).position);
+      columns += step / resolution.sizes[i].size;
+    }
+    const double triangles = 2 * columns * sweep_length / Grading::widest(sweep_length);
+    if (triangles > kMostTriangles) {
+      resolution.coarseness = std::sqrt(triangles / kMostTriangles);
+      for (Size& s : resolution.sizes) s.size *= resolution.coarseness;
+      coarsened.push_back(l);
+    }
+    result.push_back(std::move(resolution));
+  }
+  return result;
+}
+
+}  // namespace meniscus

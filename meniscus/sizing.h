@@ -1,0 +1,20 @@
+// How far apart the columns of the band may stand along each contact line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meniscus/columns.h"
+#include "meniscus/patch.h"
+
+namespace meniscus {
+
+// One resolution for each of the lines, which are those of `refine` without one. Columns stand as near as there at
+// joints, at ends, where the band reaches the liquid's own border, and where it is cut off aslant by its other parts
+// or by neighbours; from there they spread until triangles are kAspect times as long as wide, or as the turn of the
+// line allows. Nothing changes along a straight wall, so nothing is lost there. Contours that would still give more
+// than two million triangles get a coarseness; `coarsened` receives their indices.
+std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const Patch& patch, double sweep_length,
+                                         std::vector<std::size_t>& coarsened);
+
+}  // namespace meniscus

@@ -1,0 +1,53 @@
+// How a photon's place and direction change with where on its target it starts (Igehy 1999; Schjoth et al. 2007): derivatives along two
+// perpendicular directions in the target's facet, per metre.
+struct Differential {
+  vec3 place0, place1, direction0, direction1;
+};
+
+vec3 tangent(vec3 n) { return normalize(abs(n.x) > 0.6 ? vec3(n.z, 0.0, -n.x) : vec3(0.0, -n.z, n.y)); }
+
+// Light comes from a point at `distance`.
+Differential start_differential(vec3 facet, vec3 direction, float distance) {
+  vec3 u = tangent(facet), v = cross(facet, u);
+  return Differential(u, v, (u - direction * dot(direction, u)) / distance, (v - direction * dot(direction, v)) / distance);
+}
+
+vec3 reflect_derivative(vec3 dd, vec3 dn, vec3 direction, vec3 normal) {
+  float dc = -dot(dd, normal) - dot(direction, dn);
+  return dd + 2.0 * (dc * normal - dot(direction, normal) * dn);
+}
+
+// `beyond`: cosine of the refracted ray.
+vec3 refract_derivative(vec3 dd, vec3 dn, vec3 direction, vec3 normal, float eta, float beyond) {
+  float c = -dot(direction, normal);
+  float dc = -dot(dd, normal) - dot(direction, dn);
+  return eta * dd + (eta - eta * eta * c / beyond) * dc * normal + (eta * c - beyond) * dn;
+}
+
+// Over `distance` along `direction` onto a plane.
+void transfer(inout Differential d, vec3 direction, float distance, vec3 plane) {
+  vec3 slant = direction / dot(plane, direction);
+  d.place0 += distance * d.direction0;
+  d.place1 += distance * d.direction1;
+  d.place0 -= dot(plane, d.place0) * slant;
+  d.place1 -= dot(plane, d.place1) * slant;
+}
+
+// The disc of half-widths `spread` times those that starts 1 m apart span, each clamped: alpha and beta of PhotonDisc.
+void make_disc(Differential d, vec3 normal, float spread, float narrowest, float widest, out vec3 alpha, out vec3 beta) {
+  vec3 u = tangent(normal), v = cross(normal, u);
+  vec2 p = spread * vec2(dot(d.place0, u), dot(d.place0, v)), q = spread * vec2(dot(d.place1, u), dot(d.place1, v));
+  // Sigma = J J^T, a symmetric matrix; its eigenvalues are the squared half-widths.
+  float a = p.x * p.x + q.x * q.x, b = p.x * p.y + q.x * q.y, c = p.y * p.y + q.y * q.y;
+  float half_difference = 0.5 * (a - c), gap = sqrt(half_difference * half_difference + b * b);
+  float wide = sqrt(0.5 * (a + c) + gap);
+  float narrow = wide > 0.0 ? abs(p.x * q.y - p.y * q.x) / wide : 0.0;  // by the determinant: nothing cancels
+  // At grazing incidence derivatives leave float's range: the disc is then as wide as it may be.
+  if (!(wide < 1e18)) wide = narrow = widest;
+  // The wide axis, from whichever row of Sigma - narrow^2 is longer; any axis where the disc is round.
+  vec2 axis = half_difference >= 0.0 ? vec2(half_difference + gap, b) : vec2(b, gap - half_difference);
+  float size = length(axis);
+  axis = size > 1e-6 * wide * wide && size < 1e36 ? axis / size : vec2(1.0, 0.0);
+  alpha = (axis.x * u + axis.y * v) / clamp(wide, narrowest, widest);
+  beta = (axis.x * v - axis.y * u) / clamp(narrow, narrowest, widest);
+}
