@@ -127,6 +127,8 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
           foot.distance = d;
           const glm::dvec2 x = planar(node.position) + d * foot.direction;
           if (patch.box().distance(glm::dvec3(x, 0)) > 0) break;
+          constexpr double kNearer = 1 - 1e-6;
+          if (field.foot(x, kNearer * d).exists()) break;  // here the column ends: another foot is nearer from here on
           candidates.push_back({d, l, rank, i, x, foot});
         }
       }
@@ -138,10 +140,8 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
   std::vector<BandPoint> result;
   for (const Candidate& c : candidates) {
     const double size = gradings[c.line].spacing(c.distance);
-    constexpr double kNearer = 1 - 1e-6;
     const bool beyond = c.distance > lines[c.line].sweep;
-    if (field.foot(c.x, kNearer * c.distance).exists() || !patch.at(c.x) || patch.border_within(c.x, 0.5 * size))
-      continue;
+    if (!patch.at(c.x) || patch.border_within(c.x, 0.5 * size)) continue;
     if (spacing.claim(c.x, (beyond ? 0.7 : 0.5) * size)) result.push_back({c.x, c.foot});
   }
   return result;

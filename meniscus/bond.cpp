@@ -84,9 +84,11 @@ bool bond_side(Side& side, const Node& node, const Body& body, double sweep, dou
 }
 
 // Calls visit(node, weight) for the nodes from joint `start` on, weights falling from 1 to 0 within `length` or half
-// the way to the next joint, whichever is less.
+// the way to the next joint, whichever is less; no steeper than lets nodes shifted by `shift` at the joint keep their
+// order.
 template <class Visit>
-void fade_from_joint(const ContactLine& line, std::size_t start, bool forward, double length, Visit visit) {
+void fade_from_joint(const ContactLine& line, std::size_t start, bool forward, double length, double shift,
+                     Visit visit) {
   const std::size_t n = line.nodes.size();
   std::vector<std::pair<std::size_t, double>> run;  // nodes and their distance from the joint
   double way = 0;
@@ -102,8 +104,9 @@ void fade_from_joint(const ContactLine& line, std::size_t start, bool forward, d
     if (way >= 2 * length) break;
     run.emplace_back(at, way);
   }
+  const double power = std::clamp(0.9 * length / std::max(shift, 1e-300), 1.0, 2.0);
   for (const auto& [node, distance] : run) {
-    if (distance < length) visit(node, (1 - distance / length) * (1 - distance / length));
+    if (distance < length) visit(node, std::pow(1 - distance / length, power));
   }
 }
 
@@ -192,7 +195,7 @@ void bond(ContactLine& line, const Body& body, const Liquid& liquid, std::vector
       const double step = heights[i] - (forward ? after : before);
       const glm::dvec2 along{side.direction.y, -side.direction.x};
       const glm::dvec2 shift = glm::dot(side.slide - side.rise * lean, along) * along;
-      fade_from_joint(line, i, forward, std::max(0.25 * sweep, 3 * glm::length(shift)),
+      fade_from_joint(line, i, forward, std::max(0.25 * sweep, 3 * glm::length(shift)), glm::length(shift),
                       [&](std::size_t k, double weight) {
                         heights[k] += weight * step;
                         aside[k] += weight * shift;

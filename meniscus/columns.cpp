@@ -178,7 +178,7 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
   }
   if (!contour.closed) nodes.push_back(points.back());
 
-  ContactLine line{solid, contour.closed, sweep_length, resolution.coarseness, {}};
+  ContactLine line{solid, contour.closed, sweep_length, {}, resolution.coarseness};
   const std::size_t m = nodes.size();
   for (std::size_t i = 0; i < m; ++i) {
     const ContourPoint& p = nodes[i];

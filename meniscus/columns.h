@@ -33,8 +33,8 @@ struct ContactLine {
   std::size_t solid;
   bool closed;
   double sweep = 0;  // how far the meniscus reaches, metres; 0 where none is raised
-  double coarseness = 1;  // factor on all spacings of its band
   std::vector<Node> nodes;
+  double coarseness = 1;  // factor on all spacings of its band
 
   std::size_t segments() const { return closed ? nodes.size() : nodes.size() - 1; }
   const Node& next(std::size_t i) const { return nodes[(i + 1) % nodes.size()]; }
@@ -43,7 +43,7 @@ struct ContactLine {
 // The largest turn between neighbouring columns: 128 round a circle. A wider turn of the solid's normal is a joint.
 constexpr double kColumnTurn = 0.0491;
 constexpr double kFineColumn = 0.05;  // distance between columns where something changes along them, in sweep lengths
-constexpr double kAspect = 20;        // and elsewhere, in distances between layers
+constexpr double kAspect = 19;        // and elsewhere, in distances between layers
 
 struct Size {
   double along;  // the line, from its first node; metres

@@ -125,15 +125,17 @@ Shift choose_shift(const Topology& solid, const Box& surface, const std::string&
   return {bottom ? -1 : 1};
 }
 
-// Edges that bound the free surface: of one of its triangles only.
-std::map<Edge, int> border_edges(const Topology& liquid, const std::vector<std::uint32_t>& surface) {
-  std::map<Edge, int> uses;
-  for (const std::uint32_t f : surface) {
-    const glm::uvec3& v = liquid.triangles[f].points;
-    for (int i = 0; i < 3; ++i) ++uses[edge(v[i], v[(i + 1) % 3])];
-  }
-  std::erase_if(uses, [](const auto& entry) { return entry.second != 1; });
-  return uses;
+// Does this edge bound the free surface: is it of one of its triangles only?
+bool is_border(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Tree& tree, const Edge& e) {
+  Box box;
+  box.add(liquid.points[e.first]);
+  box.add(liquid.points[e.second]);
+  int uses = 0;
+  tree.overlapping(box, [&](std::uint32_t i) {
+    const glm::uvec3& v = liquid.triangles[surface[i]].points;
+    for (int k = 0; k < 3; ++k) uses += edge(v[k], v[(k + 1) % 3]) == e;
+  });
+  return uses == 1;
 }
 
 }  // namespace
@@ -174,8 +176,6 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
     starting.emplace(segments[s].from, s);
     ++arriving[segments[s].to];
   }
-  const auto borders = border_edges(liquid, surface);
-  const auto on_border = [&](const ContourPoint& p) { return p.border && borders.contains(*p.border); };
   std::vector<bool> used(segments.size(), false);
   std::vector<Contour> result;
   const auto follow = [&](std::uint32_t first) {
@@ -206,7 +206,7 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
       contour.points.push_back(p);
     }
     for (ContourPoint& p : contour.points) {
-      if (!on_border(p)) p.border.reset();
+      if (p.border && !is_border(liquid, surface, surface_tree, *p.border)) p.border.reset();
     }
     if (contour.closed || (contour.points.front().border && contour.points.back().border)) {
       result.push_back(std::move(contour));

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
+#include "meniscus/edges.h"
 #include "meniscus/predicates.h"
 
 namespace meniscus {
@@ -63,10 +63,12 @@ Winding find_windings(const Triangulation& mesh, const Patch& base, const std::v
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (result.patch[t] <= 0 || result.solid[t] != kUnknown) continue;
     auto part = spread(result.solid, t, 0, &Crossing::solid, [&](std::uint32_t u) { return result.patch[u] > 0; });
-    std::stable_sort(part.begin(), part.end(), [&](std::uint32_t a, std::uint32_t b) { return area(a) > area(b); });
+    const std::size_t tries = std::min<std::size_t>(part.size(), 4);
+    const auto larger = [&](std::uint32_t a, std::uint32_t b) { return std::pair(area(a), b) > std::pair(area(b), a); };
+    std::partial_sort(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(tries), part.end(), larger);
     int shift = 0;
     double doubt = 1;
-    for (std::size_t k = 0; k < std::min<std::size_t>(part.size(), 4) && doubt > 0.25; ++k) {
+    for (std::size_t k = 0; k < tries && doubt > 0.25; ++k) {
       const auto& v = triangles[part[k]].v;
       const glm::dvec2 x = (mesh.points()[v[0]] + mesh.points()[v[1]] + mesh.points()[v[2]]) / 3.0;
       double d = 0;
@@ -88,12 +90,18 @@ std::vector<bool> find_drowned(const Topology& liquid, const std::vector<std::ui
     boxes.emplace_back();
     for (const glm::dvec3& p : body.mesh.points) boxes.back().add(p);
   }
-  std::multimap<Edge, std::uint32_t> beside;
-  std::map<Edge, bool> patch_side;  // of the patch's border: is it drowned?
+  // The uses of each edge as a list: its last one as 3 * triangle + side + 1, and the one before each; 0 ends it.
+  EdgeMap<std::uint32_t> last(3 * surface.size());
+  std::vector<std::uint32_t> before(3 * liquid.triangles.size(), 0);
+  EdgeMap<bool> patch_side(patch.border().size() + drowned_edges.size());  // of the patch's border: is it drowned?
   for (const std::uint32_t t : surface) {
     if (patch.contains(t)) continue;
     const glm::uvec3& v = liquid.triangles[t].points;
-    for (int i = 0; i < 3; ++i) beside.emplace(edge(v[i], v[(i + 1) % 3]), t);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      std::uint32_t& use = last[edge(v[i], v[(i + 1) % 3])];
+      before[3 * t + i] = use;
+      use = 3 * t + i + 1;
+    }
   }
   for (const Patch::Side& side : patch.border()) patch_side[edge(side.from, side.to)] = false;
   for (const Edge& e : drowned_edges) patch_side[e] = true;
@@ -107,12 +115,11 @@ std::vector<bool> find_drowned(const Topology& liquid, const std::vector<std::ui
       const glm::uvec3& v = liquid.triangles[part[k]].points;
       for (int i = 0; i < 3; ++i) {
         const Edge e = edge(v[i], v[(i + 1) % 3]);
-        if (const auto side = patch_side.find(e); side != patch_side.end())
-          answer = answer.value_or(false) || side->second;
-        const auto [low, high] = beside.equal_range(e);
-        for (auto n = low; n != high; ++n) {
-          if (!seen[n->second]) part.push_back(n->second);
-          seen[n->second] = true;
+        if (const bool* side = patch_side.get(e)) answer = answer.value_or(false) || *side;
+        for (std::uint32_t use = last[e]; use != 0; use = before[use - 1]) {
+          const std::uint32_t t = (use - 1) / 3;
+          if (!seen[t]) part.push_back(t);
+          seen[t] = true;
         }
       }
     }

@@ -105,10 +105,11 @@ Contact describe(const ContactLine& line, const Body& body) {
 
 // Says what is not as it must be; a picture is still possible.
 void check(const Liquid& liquid, const Stitched& result, const std::vector<ContactLine>& lines,
-           const std::vector<Body>& bodies, std::size_t rejected_before, std::vector<std::string>& warnings) {
+           const std::vector<Body>& bodies, std::vector<std::string>& warnings) {
   const Report report = inspect(result.mesh);
   std::size_t gaps = 0;
   for (const auto& [a, b] : report.boundary) gaps += !(result.may_end[a] && result.may_end[b]);
+  const std::size_t rejected_before = report.rejected > 0 ? inspect(liquid.mesh).rejected : 0;
   if (report.rejected > rejected_before) {
     warnings.push_back("liquid '" + liquid.name + "': " + std::to_string(report.rejected - rejected_before) +
                        " triangles make its surface non-manifold");
@@ -151,24 +152,16 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   }
   constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
   const Patch patch(level, surface, lines, kMargin * reach);
-  std::vector<std::size_t> coarsened;
-  const std::vector<Resolution> resolutions = find_resolutions(lines, patch, reach, coarsened);
+  const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, reach, result.warnings);
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const Body& body = bodies[lines[l].solid];
     lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
     bond(lines[l], body, liquid, result.warnings);
     differentiate(lines[l]);
   }
-  for (const std::size_t l : coarsened) {
-    result.warnings.push_back("solid '" + bodies[lines[l].solid].name +
-                              "': its contour is too long for the usual resolution: its meniscus is " +
-                              std::to_string(resolutions[l].coarseness).substr(0, 4) +
-                              " times as coarse, so that it stays below two million triangles");
-  }
-
   const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, result.warnings);
   Stitched stitched = stitch(level, surface, patch, sheet, lines, bodies);
-  if (!lines.empty()) check(liquid, stitched, lines, bodies, inspect(liquid.mesh).rejected, result.warnings);
+  if (!lines.empty()) check(liquid, stitched, lines, bodies, result.warnings);
 
   for (const ContactLine& line : lines) result.contacts.push_back(describe(line, bodies[line.solid]));
   result.mesh = std::move(stitched.mesh);

@@ -1,8 +1,8 @@
 #include "meniscus/patch.h"
 
 #include <algorithm>
-#include <map>
 
+#include "meniscus/edges.h"
 #include "meniscus/predicates.h"
 
 namespace meniscus {
@@ -62,12 +62,9 @@ Patch::Patch(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
       });
     }
   }
-  std::map<Edge, int> uses;  // by triangles of the free surface; those of the patch count two
   std::vector<Box> triangle_boxes, border_boxes;
-  for (const std::uint32_t t : surface) {
-    const glm::uvec3& v = liquid.triangles[t].points;
-    for (int i = 0; i < 3; ++i) uses[edge(v[i], v[(i + 1) % 3])] += member_[t] ? 2 : 1;
-  }
+  // By triangles of the free surface; those of the patch count two.
+  const EdgeMap<int> uses = count_edges(liquid, surface, [&](std::uint32_t t) { return member_[t] ? 2 : 1; });
   for (const std::uint32_t t : surface) {
     if (!member_[t]) continue;
     triangles_.push_back(t);
@@ -76,7 +73,7 @@ Patch::Patch(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
     const glm::uvec3& v = liquid.triangles[t].points;
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = v[i], b = v[(i + 1) % 3];
-      const int used = uses.at(edge(a, b));
+      const int used = *uses.get(edge(a, b));
       if (used >= 4) continue;
       border_.push_back({a, b, used == 2});
       Box box;

@@ -177,6 +177,17 @@ Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<Conta
       continue;
     }
     sheet.triangles.emplace_back(v[0], v[1], v[2]);
+    int within = 0, at_end = 0, beyond = 0;  // corners within menisci, at their ends, farther out
+    for (const std::uint32_t k : v) {
+      const Foot& foot = sheet.vertices[k].foot;
+      const double reach = foot.exists() ? lines[foot.line].sweep : 0;
+      const double left = reach - foot.distance;
+      ++(left > 1e-9 * sweep_length ? within : left > -1e-9 * sweep_length && reach > 0 ? at_end : beyond);
+    }
+    if ((within > 0 && beyond == 0) || (beyond > 0 && within == 0)) {
+      sheet.raised.push_back(within > 0);
+      continue;
+    }
     const glm::dvec2 centre = (sheet.vertices[v[0]].x + sheet.vertices[v[1]].x + sheet.vertices[v[2]].x) / 3.0;
     const Foot foot = builder.field().foot(centre, sweep_length);
     bool raised = foot.exists() && foot.distance < lines[foot.line].sweep;

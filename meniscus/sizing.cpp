@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "meniscus/band.h"
 #include "meniscus/field.h"
@@ -10,9 +12,9 @@
 namespace meniscus {
 namespace {
 
-constexpr double kGrowth = 0.2;           // of the distance between columns, per distance along the line
-constexpr double kMostTriangles = 2e6;    // of one contour
-constexpr double kWithinPatch = 1.04;     // sweep lengths: the patch reaches a little farther
+constexpr double kGrowth = 0.2;         // of the distance between columns, per distance along the line
+constexpr double kMostTriangles = 2e6;  // of one contour
+constexpr double kWithinPatch = 1.04;   // sweep lengths: the patch reaches a little farther
 constexpr double kUnset = 1e300;
 
 // How far the column at this node reaches, up to `sweep`, before another foot is nearer; 0 where the liquid ends first.
@@ -46,8 +48,8 @@ void grade(std::vector<Size>& sizes, double length, bool closed) {
 
 }  // namespace
 
-std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const Patch& patch, double sweep_length,
-                                         std::vector<std::size_t>& coarsened) {
+std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
+                                         const Patch& patch, double sweep_length, std::vector<std::string>& warnings) {
   const Field field(lines);
   const double wide = kAspect * Grading::widest(sweep_length);
   std::vector<Resolution> result;
@@ -80,11 +82,16 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
       const double step = glm::distance(line.nodes[i].position, line.next(i).position);
       columns += step / resolution.sizes[i].size;
     }
-    const double triangles = 2 * columns * sweep_length / Grading::widest(sweep_length);
+    constexpr double kAround = 1.4;  // triangles in and round the band, for each of the band's own
+    const double triangles = kAround * 2 * columns * sweep_length / Grading::widest(sweep_length);
     if (triangles > kMostTriangles) {
       resolution.coarseness = std::sqrt(triangles / kMostTriangles);
       for (Size& s : resolution.sizes) s.size *= resolution.coarseness;
-      coarsened.push_back(l);
+      std::ostringstream message;
+      message << "solid '" << bodies[line.solid].name << "': its contour of " << std::setprecision(3) << length
+              << " m is too long for the usual resolution: its meniscus is " << resolution.coarseness
+              << " times as coarse, to stay below two million triangles";
+      warnings.push_back(message.str());
     }
     result.push_back(std::move(resolution));
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "meniscus/columns.h"
+#include "meniscus/bond.h"
 #include "meniscus/patch.h"
 
 namespace meniscus {
@@ -12,9 +12,9 @@ namespace meniscus {
 // One resolution for each of the lines, which are those of `refine` without one. Columns stand as near as there at
 // joints, at ends, where the band reaches the liquid's own border, and where it is cut off aslant by its other parts
 // or by neighbours; from there they spread until triangles are kAspect times as long as wide, or as the turn of the
-// line allows. Nothing changes along a straight wall, so nothing is lost there. Contours that would still give more
-// than two million triangles get a coarseness; `coarsened` receives their indices.
-std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const Patch& patch, double sweep_length,
-                                         std::vector<std::size_t>& coarsened);
+// line allows. Nothing changes along a straight wall, so nothing is lost there. A contour that would still give more
+// than two million triangles gets a coarseness and a warning.
+std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
+                                         const Patch& patch, double sweep_length, std::vector<std::string>& warnings);
 
 }  // namespace meniscus

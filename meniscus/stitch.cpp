@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 
+#include "meniscus/edges.h"
 #include "meniscus/inside.h"
 #include "meniscus/lift.h"
 #include "meniscus/predicates.h"
@@ -14,7 +16,8 @@ namespace {
 
 class Assembly {
  public:
-  explicit Assembly(const Topology& liquid) : liquid_(liquid) {}
+  explicit Assembly(const Topology& liquid)
+      : liquid_(liquid), known_(liquid.points.size()), ending_(liquid.points.size(), false) {}
 
   Stitched result;
 
@@ -32,8 +35,7 @@ class Assembly {
       if (result.mesh.normals[v] == normal) return v;
     }
     const auto moved = moved_.find(point);
-    const std::uint32_t v =
-        add(moved == moved_.end() ? liquid_.points[point] : moved->second, normal, ending_.contains(point));
+    const std::uint32_t v = add(moved == moved_.end() ? liquid_.points[point] : moved->second, normal, ending_[point]);
     known.push_back(v);
     return v;
   }
@@ -89,9 +91,9 @@ class Assembly {
   }
 
   const Topology& liquid_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> known_;
+  std::vector<std::vector<std::uint32_t>> known_;  // vertices of each point
   std::unordered_map<std::uint32_t, glm::dvec3> moved_;
-  std::unordered_map<std::uint32_t, bool> ending_;
+  std::vector<bool> ending_;  // points on the liquid's own border
 };
 
 }  // namespace
@@ -99,23 +101,20 @@ class Assembly {
 Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch,
                 const Sheet& sheet, const std::vector<ContactLine>& lines, const std::vector<Body>& bodies) {
   Assembly assembly(liquid);
-  std::map<Edge, int> uses;
-  std::unordered_map<std::uint32_t, glm::dvec3> normal_at;  // of the free surface, untouched triangles first
-  for (const bool touched : {false, true}) {
-    for (const std::uint32_t t : surface) {
-      if (patch.contains(t) != touched) continue;
-      for (int i = 0; i < 3; ++i) {
-        normal_at.emplace(liquid.triangles[t].points[i], liquid.triangles[t].normals[i]);
-      }
+  std::vector<glm::dvec3> normal_at(liquid.points.size());  // of the free surface, that of the first untouched triangle
+  for (const bool touched : {true, false}) {
+    for (auto t = surface.rbegin(); t != surface.rend(); ++t) {
+      if (patch.contains(*t) != touched) continue;
+      for (int i = 2; i >= 0; --i) normal_at[liquid.triangles[*t].points[i]] = liquid.triangles[*t].normals[i];
     }
   }
-  for (const Topology::Triangle& t : liquid.triangles) {
-    for (int i = 0; i < 3; ++i) ++uses[edge(t.points[i], t.points[(i + 1) % 3])];
-  }
+  std::vector<std::uint32_t> all(liquid.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const EdgeMap<int> uses = count_edges(liquid, all, [](std::uint32_t) { return 1; });
   for (std::size_t t = 0; t < liquid.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = liquid.triangles[t].points[i], b = liquid.triangles[t].points[(i + 1) % 3];
-      if (uses.at(edge(a, b)) == 1) assembly.set_ending(a), assembly.set_ending(b);
+      if (*uses.get(edge(a, b)) == 1) assembly.set_ending(a), assembly.set_ending(b);
     }
   }
 
@@ -129,7 +128,7 @@ Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surfac
     if (vertex.node) {
       base = {vertex.node->position, vertex.node->liquid_normal};
     } else if (vertex.original) {
-      base = {liquid.points[*vertex.original], normal_at.at(*vertex.original)};
+      base = {liquid.points[*vertex.original], normal_at[*vertex.original]};
     } else {
       base = patch.clamped(vertex.x);
     }

@@ -1,19 +1,21 @@
 #include "meniscus/topology.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <stdexcept>
-#include <unordered_map>
 
 namespace meniscus {
 namespace {
 
-struct HashPoint {
-  std::size_t operator()(const glm::dvec3& p) const {
-    const std::hash<double> h;  // equal for 0 and -0, as the comparison is
-    return (h(p.x) * 31 + h(p.y)) * 31 + h(p.z);
+std::size_t hash(const glm::dvec3& p) {
+  std::size_t h = 0;
+  for (int i = 0; i < 3; ++i) {
+    h = (h ^ std::bit_cast<std::uint64_t>(p[i] + 0.0)) * 0x9e3779b97f4a7c15u;  // + 0.0: -0 equals 0
+    h ^= h >> 32;
   }
-};
+  return h;
+}
 
 // Normals that are unit within single precision stay as they are, to the last bit.
 glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& otherwise) {
@@ -32,16 +34,21 @@ Topology weld(const TriangleMesh& mesh, const std::string& name) {
     fail(std::to_string(mesh.normals.size()) + " normals for " + std::to_string(mesh.positions.size()) + " positions");
   }
   Topology result;
+  constexpr std::uint32_t kEmpty = 0xffffffff;
   std::vector<std::uint32_t> point(mesh.positions.size());
-  std::unordered_map<glm::dvec3, std::uint32_t, HashPoint> found;
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.positions.size() + 1), kEmpty);  // open addressing
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::dvec3& p = mesh.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
       fail("position " + std::to_string(i) + " is not finite");
     }
-    const auto [entry, is_new] = found.emplace(p, static_cast<std::uint32_t>(result.points.size()));
-    if (is_new) result.points.push_back(p);
-    point[i] = entry->second;
+    std::size_t at = hash(p) & (table.size() - 1);
+    while (table[at] != kEmpty && result.points[table[at]] != p) at = (at + 1) & (table.size() - 1);
+    if (table[at] == kEmpty) {
+      table[at] = static_cast<std::uint32_t>(result.points.size());
+      result.points.push_back(p);
+    }
+    point[i] = table[at];
   }
   for (const glm::uvec3& t : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {

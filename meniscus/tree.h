@@ -48,7 +48,7 @@ class Tree {
   // Calls leaf(index) -> bound, near boxes first, for every box nearer to p than the bound that leaf returned last.
   template <class Leaf>
   void nearest(const glm::dvec3& p, double bound, Leaf leaf) const {
-    if (!nodes_.empty()) visit(0, p, bound, leaf);
+    if (!nodes_.empty() && nodes_[0].box.distance(p) <= bound) visit(0, p, bound, leaf);
   }
 
  private:
@@ -63,11 +63,12 @@ class Tree {
   template <class Leaf>
   void visit(std::uint32_t index, const glm::dvec3& p, double& bound, Leaf& leaf) const {
     const Node& node = nodes_[index];
-    if (!(node.box.distance(p) <= bound)) return;
     if (node.count == 0) {
-      const bool swap = nodes_[node.first + 1].box.distance(p) < nodes_[node.first].box.distance(p);
-      visit(node.first + swap, p, bound, leaf);
-      visit(node.first + !swap, p, bound, leaf);
+      const double distance[2] = {nodes_[node.first].box.distance(p), nodes_[node.first + 1].box.distance(p)};
+      const bool swap = distance[1] < distance[0];
+      for (const bool second : {swap, !swap}) {
+        if (distance[second] <= bound) visit(node.first + second, p, bound, leaf);
+      }
       return;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {

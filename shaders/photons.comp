@@ -19,9 +19,9 @@ SurfacePoint start_point(RandomKey random) {
 }
 
 // The photon's footprint on the surface it is stored on, and the cell of the hash grid.
-void store(uint slot, Differential d, vec3 position, vec3 side, float spread) {
+void store(uint slot, Differential d, vec3 position, vec3 side) {
   PhotonDisc disc;
-  make_disc(d, side, spread, push.narrowest, push.widest, disc.alpha, disc.beta);
+  make_disc(d, side, push.reach, push.narrowest, push.widest, disc.alpha, disc.beta);
   float half_width = inversesqrt(min(dot(disc.alpha, disc.alpha), dot(disc.beta, disc.beta)));
   uint level = 0u;
   while (level + 1u < GRID_LEVELS && 1.00001 * half_width > 1.00002 * push.narrowest * float(1u << level)) level += 1u;
@@ -36,30 +36,43 @@ void main() {
   RandomKey random = RandomKey(push.seed, push.pass, push.stream, slot);
   keys[slot] = NO_CELL;
 
-  SurfacePoint point = start_point(random);
-  LightSample light = sample_light(point.position, push.light_first, push.light_count, random);
-  float cosine = dot(light.direction, point.geometric);
-  vec3 side = cosine > 0.0 ? point.geometric : -point.geometric;
-  float entered = dot(light.irradiance, vec3(push.power_scale / 3.0));
+  // The first ray looks for the target in the light's view, or, from a point of the target, for the light. What it meets, the light's
+  // cosine there is a factor on the flux: the paper's roulette has the same mean, but would undo the starts' stratification.
+  bool in_view = push.view_corner.w != 0.0;
+  SurfacePoint point;
+  Path path;
+  LightSample light;
+  if (in_view) {
+    uvec2 start = sobol_point(random);
+    path.origin = push.view_corner.xyz + unit_float(start.x) * push.view_u.xyz + unit_float(start.y) * push.view_v.xyz;
+    light = sample_light(path.origin, push.light_first, push.light_count, random);
+    path = start_path(path.origin, -light.direction, NO_TRIANGLE, light.irradiance * push.power_scale);
+    if (HAS_DIFFERENTIALS) path.differential = start_differential(-light.direction, -light.direction, FAR);
+    point.position = path.origin;
+  } else {
+    point = start_point(random);
+    light = sample_light(point.position, push.light_first, push.light_count, random);
+    float cosine = dot(light.direction, point.geometric);
+    path = start_path(leave(point.position, cosine > 0.0 ? point.geometric : -point.geometric), light.direction, point.triangle,
+                      light.irradiance * (abs(cosine) * push.power_scale));
+    if (HAS_DIFFERENTIALS) path.differential = start_differential(point.geometric, -light.direction, light.distance);
+  }
+  float entered = dot(path.throughput, vec3(1.0 / 3.0));
   uint end = entered > 0.0 ? END_CUT : END_BLOCKED;
-  if (random_unit(random, DIM_COSINE) >= abs(cosine)) end = END_DROPPED;
 
-  // The first ray asks for the light; the path then leaves from where that ray began.
-  Path path = start_path(leave(point.position, side), light.direction, point.triangle, light.irradiance * push.power_scale);
-  if (HAS_DIFFERENTIALS) path.differential = start_differential(point.geometric, -light.direction, light.distance);
-  float spread = push.spread * sqrt(push.power_scale / max(abs(cosine), 1e-6));
   for (uint k = 0u; k <= push.specular_bounces && end == END_CUT; ++k) {
-    Hit hit = intersect(path.origin, path.direction, k == 0u ? shadow_reach(light) : FAR, path.triangle, k == 0u);
-    if (k == 0u) {
+    bool asks_light = k == 0u && !in_view;
+    Hit hit = intersect(path.origin, path.direction, asks_light ? shadow_reach(light) : FAR, path.triangle, asks_light);
+    if (asks_light) {
       if (hit.triangle != NO_TRIANGLE) end = END_BLOCKED;
       path.direction = -light.direction;
-      if (HAS_ABSORPTION && cosine < 0.0 && light.distance < FAR) {
+      if (HAS_ABSORPTION && dot(light.direction, point.geometric) < 0.0 && light.distance < FAR) {
         path.absorption = surfaces[point.material].absorption;
         absorb(path, light.distance);
         entered = dot(path.throughput, vec3(1.0 / 3.0));
       }
     } else if (hit.triangle == NO_TRIANGLE) {
-      end = END_ESCAPED;
+      end = k == 0u ? END_DROPPED : END_ESCAPED;
     } else {
       absorb(path, hit.t);
       point = surface_point(hit.triangle, hit.u, hit.v);
@@ -68,13 +81,17 @@ void main() {
     if (end != END_CUT) break;
 
     Surface surface = surfaces[point.material];
+    // What the light sees first in its view may be another stratum's, or nothing that photons start on.
+    if (k == 0u && (surface.specular == 0.0 || (point.meniscus != 0u) != (push.stream == STREAM_TARGETED))) {
+      end = END_DROPPED;
+      break;
+    }
     uint dimension = DIM_FIRST_BOUNCE + BOUNCE_DIMENSIONS * k;
     if (random_unit(random, dimension) >= surface.specular) {
-      // A photon that starts at a partly diffuse target and is scattered there at once has met no specular surface.
+      // A photon that its target scatters diffusely at once has met no specular surface.
       end = k > 0u ? point.triangle : END_DROPPED;
-      if (k > 0u) {
-        store(slot, path.differential, point.position, dot(point.geometric, path.direction) > 0.0 ? -point.geometric : point.geometric, spread);
-      }
+      vec3 side = dot(point.geometric, path.direction) > 0.0 ? -point.geometric : point.geometric;
+      if (k > 0u) store(slot, path.differential, point.position, side);
     } else if (k < push.specular_bounces) {
       scatter_specular(path, point, surface, random_unit(random, dimension + 1u));
     }

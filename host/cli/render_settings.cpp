@@ -47,8 +47,8 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   choose_size(settings, options);
   settings.photons = photon_budget(world, options.photons);
   settings.footprint = pixel_footprint(world, settings);
-  const Discs discs = options.radius ? Discs{1, *options.radius, *options.radius} : default_discs(settings.footprint);
-  settings.discs.assign(settings.photons.size(), discs);
+  settings.discs = options.radius ? Discs{*options.radius, *options.radius, *options.radius}
+                                  : default_discs(world, settings.photons, settings.footprint);
   return settings;
 }
 

@@ -36,7 +36,7 @@ PhotonBuffers::PhotonBuffers(const gpu::Device& device, std::size_t capacity)
 Grid make_grid(std::uint32_t photons, const Discs& discs) {
   const double ratio = discs.widest / discs.narrowest;
   const auto levels =
-      static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(ratio) + 1e-3), 0.0, shared::GRID_LEVELS - 1.0)) + 1;
+      static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(ratio) - 1e-6), 0.0, shared::GRID_LEVELS - 1.0)) + 1;
   // About as many cells as photons; three digits hold 2^17 keys and that of what is not stored, four 2^23.
   const std::uint32_t cells = photons <= (1u << 16) ? 1u << 14 : 1u << (levels > 1 ? 17 : 20);
   return {discs, levels, cells - 1, std::size_t(levels) * cells <= (1u << 17) ? 3u : 4u};
@@ -58,8 +58,13 @@ void PhotonPass::run(gpu::Commands& commands, const World& world, const RenderSe
   push.target_count = s.count;
   push.light_first = world.light_first;
   push.light_count = static_cast<std::uint32_t>(world.lights.size());
-  push.power_scale = static_cast<float>(s.area / photons);
-  push.spread = static_cast<float>(grid.discs.spread);
+  push.power_scale = static_cast<float>((s.view ? s.view->area : s.area) / photons);
+  if (s.view) {
+    push.view_corner = glm::vec4(s.view->corner, 1);
+    push.view_u = glm::vec4(s.view->u, 0);
+    push.view_v = glm::vec4(s.view->v, 0);
+  }
+  push.reach = static_cast<float>(grid.discs.reach);
   push.narrowest = static_cast<float>(grid.discs.narrowest);
   push.widest = static_cast<float>(grid.discs.widest);
   push.cell_mask = grid.mask;

@@ -7,7 +7,7 @@ namespace meniscal::reference {
 
 std::vector<Photon> ReferenceBackend::photons(std::size_t stratum, std::uint32_t pass) const {
   const PhotonSettings settings{settings_.seed, pass, settings_.photons[stratum], settings_.specular_bounces,
-                                pass_discs(settings_.discs[stratum], pass)};
+                                pass_discs(settings_.discs, pass)};
   std::vector<Photon> photons;
   photons.reserve(settings.started);
   for (std::uint32_t i = 0; i < settings.started; ++i)
@@ -42,7 +42,7 @@ PassResult ReferenceBackend::render_pass(std::uint32_t pass) {
                   [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
     result.tallies.push_back(tally);
 
-    const PhotonMap map(started, pass_discs(settings_.discs[s], pass).widest);
+    const PhotonMap map(started, pass_discs(settings_.discs, pass).widest);
     const bool targeted = world_.strata[s].stream == shared::STREAM_TARGETED;
     for (shared::PixelSample& sample : result.samples) {
       if (sample.triangle >= shared::END_FIRST) continue;

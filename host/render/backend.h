@@ -11,7 +11,7 @@ namespace meniscal {
 
 // How the photons of one stratum ended in one or more passes. Fluxes are means over the colour channels.
 struct Tally {
-  std::uint64_t started = 0, kept = 0, visible = 0, stored = 0;  // kept: survived the cosine's roulette
+  std::uint64_t started = 0, kept = 0, visible = 0, stored = 0;  // kept: met a target
   double flux_in = 0, flux_escaped = 0, flux_cut = 0;
   std::vector<double> flux_landed;  // by material
 

@@ -27,7 +27,7 @@ struct MapPasses {
 
   MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
             const RenderSettings& settings)
-      : MapPasses(device, tables, tiles, most_photons(settings), settings.discs[0]) {}
+      : MapPasses(device, tables, tiles, most_photons(settings), settings.discs) {}
 
  private:
   MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
@@ -98,7 +98,7 @@ PassResult GpuBackend::render_pass(std::uint32_t pass) {
     const std::uint32_t count = p.settings.photons[s];
     result.tallies.emplace_back().flux_landed.resize(p.world.surfaces.size());
     if (count == 0) continue;
-    const passes::Grid grid = passes::make_grid(count, pass_discs(p.settings.discs[s], pass));
+    const passes::Grid grid = passes::make_grid(count, pass_discs(p.settings.discs, pass));
     p.maps->trace.run(p.commands, p.world, p.settings, s, pass, grid);
     p.maps->sort.record(p.commands, count, grid.digits);
     p.maps->cells.record(p.commands, count, grid.digits);
@@ -117,7 +117,7 @@ std::vector<PhotonEnd> GpuBackend::trace_photons(std::size_t stratum, std::uint3
   Passes& p = *passes_;
   const std::uint32_t count = p.settings.photons[stratum];
   p.maps->trace.run(p.commands, p.world, p.settings, stratum, pass,
-                    passes::make_grid(count, pass_discs(p.settings.discs[stratum], pass)));
+                    passes::make_grid(count, pass_discs(p.settings.discs, pass)));
   std::vector<PhotonEnd> ends;
   for (const shared::PhotonEnd& e : p.maps->photons.ends.download<shared::PhotonEnd>(0, count))
     ends.push_back({glm::dvec3(e.position), glm::dvec3(e.flux), e.end});

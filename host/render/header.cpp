@@ -33,7 +33,7 @@ void describe(Image& image, const Scene& scene, const RenderSettings& settings, 
   for (std::uint32_t n : settings.photons) photons += n;
   image.numbers["photonsPerPass"] = photons;
   image.numbers["specularBounces"] = settings.specular_bounces;
-  if (!settings.discs.empty()) image.numbers["radius"] = settings.discs[0].narrowest;
+  if (!settings.photons.empty()) image.numbers["radius"] = settings.discs.radius();
   image.numbers["renderTime"] = render_seconds;
 
   glm::dmat4 to_world = settings.camera.pose;

@@ -61,19 +61,27 @@ Plan make_plan(const World& world) {
 }
 
 std::vector<std::uint32_t> photon_budget(const World& world, std::uint32_t photons) {
+  double total = 0;
+  for (const Stratum& s : world.strata) total += std::sqrt(s.area);
   std::vector<std::uint32_t> budget;
-  std::uint32_t left = world.lights.empty() ? 0 : photons;
-  for (std::size_t i = 0; i < world.strata.size(); ++i) {
-    const std::uint32_t share = left / static_cast<std::uint32_t>(world.strata.size() - i);
-    budget.push_back(share);
-    left -= share;
-  }
+  for (const Stratum& s : world.strata)
+    budget.push_back(world.lights.empty() ? 0 : static_cast<std::uint32_t>(photons * std::sqrt(s.area) / total));
   return budget;
 }
 
-Discs default_discs(double footprint) {
-  // Measured on the benchmark: narrower than a pixel aliases, wider blurs folds; the grid has levels for 2^5 and more.
-  return {2.4, 0.85 * footprint, 27 * footprint};
+Discs default_discs(const World& world, const std::vector<std::uint32_t>& photons, double footprint) {
+  // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds; at fewer spacings
+  // they are noisy.
+  constexpr double narrowest = 0.85, spacings = 4, most_pixels = 27;
+  double spacing = footprint;
+  for (std::size_t i = 0; i < world.strata.size(); ++i) {
+    const Stratum& s = world.strata[i];
+    const double own = std::sqrt((s.view ? s.view->area : s.area) / std::max(photons[i], 1u));
+    spacing = i == 0 ? own : std::min(spacing, own);
+  }
+  const double reach = spacings * spacing;
+  // The grid's levels span a factor of 128 between the narrowest and the widest.
+  return {reach, std::max(narrowest * footprint, reach / 100), std::max(most_pixels * footprint, reach)};
 }
 
 }  // namespace meniscal

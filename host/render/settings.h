@@ -18,13 +18,14 @@ struct Crop {
   std::size_t pixels() const { return std::size_t(width()) * height(); }
 };
 
-// The discs over which photons spread. Half-widths follow the photon's differentials: `spread` times the spacing of
-// starts, carried to where the photon landed, within [narrowest, widest]. With narrowest = widest all discs are round
-// and of that radius.
+// The discs over which photons spread. Half-widths follow the photon's differentials: `reach` on a plane that light
+// reaches unbent, and carried with the light to where the photon landed, within [narrowest, widest]. With narrowest =
+// widest all discs are round and of that radius. One reach for all strata: where two meet, what one spreads across the
+// border the other spreads back.
 struct Discs {
-  double spread = 2.4;
-  double narrowest = 0, widest = 0;  // m
+  double reach = 0, narrowest = 0, widest = 0;  // m
   bool round() const { return narrowest == widest; }
+  double radius() const { return std::clamp(reach, narrowest, widest); }  // of what is neither focused nor spread
 };
 
 // Discs of a pass, from those of pass 0; they shrink so that the mean over the passes converges to the truth. Round
@@ -37,10 +38,10 @@ inline Discs pass_discs(const Discs& first, std::uint32_t pass) {
     // The product in closed form: Gamma(i + 1 + a) / (Gamma(1 + a) Gamma(i + 2)).
     const double radius =
         first.narrowest * std::exp(0.5 * (std::lgamma(i + 1 + a) - std::lgamma(1 + a) - std::lgamma(i + 2)));
-    return {first.spread, radius, radius};
+    return {radius, radius, radius};
   }
   const double shrink = std::pow(i + 1, -0.25);
-  return {shrink * first.spread, shrink * first.narrowest, first.widest};
+  return {shrink * first.reach, shrink * first.narrowest, shrink * first.widest};
 }
 
 struct RenderSettings {
@@ -49,7 +50,7 @@ struct RenderSettings {
   Crop crop{0, 0, 640, 480};
   Camera camera;
   std::vector<std::uint32_t> photons;  // started per pass, by stratum of the world
-  std::vector<Discs> discs;            // of pass 0, by stratum
+  Discs discs;                         // of pass 0
   double footprint = 0;                // side of a pixel on what is seen, m
   std::uint32_t specular_bounces = 8;
 };
@@ -58,8 +59,8 @@ struct RenderSettings {
 // already: variance w^2 / 8 of a disc of half-width w, and that of the spread, 1/12 of its square, make up a pixel's
 // 1/12 together. Round discs leave it all to the rays.
 inline double pixel_jitter(const RenderSettings& settings, std::uint32_t pass) {
-  if (settings.discs.empty() || settings.discs[0].round()) return 1;
-  const double width = pass_discs(settings.discs[0], pass).narrowest / settings.footprint;
+  if (settings.discs.round()) return 1;
+  const double width = pass_discs(settings.discs, pass).narrowest / settings.footprint;
   return std::sqrt(std::max(1 - 1.5 * width * width, 0.0));
 }
 

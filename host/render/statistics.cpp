@@ -70,11 +70,10 @@ Json photons_json(const World& world, const RunStatistics& run, std::uint32_t pa
   return photons;
 }
 
-// Narrowest half-width of the discs, in the first and the last pass.
+// Radius of the discs of what is neither focused nor spread, in the first and the last pass.
 Json radius_json(const RenderSettings& settings, const PassRange& passes) {
-  if (settings.discs.empty() || passes.last == passes.first) return Json::array();
-  return {pass_discs(settings.discs[0], passes.first).narrowest,
-          pass_discs(settings.discs[0], passes.last - 1).narrowest};
+  if (settings.photons.empty() || passes.last == passes.first) return Json::array();
+  return {pass_discs(settings.discs, passes.first).radius(), pass_discs(settings.discs, passes.last - 1).radius()};
 }
 
 std::size_t host_peak_bytes() {

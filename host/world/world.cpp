@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "host/error.h"
+#include "host/world/light_view.h"
 #include "host/world/lights.h"
 #include "host/world/surfaces.h"
 #include "shaders/shared/random.h"
@@ -199,6 +200,7 @@ World build_world(const Scene& scene, MeniscusModel model) {
   build_hierarchy(world);
   world.lights = make_lights(scene, world.triangles, world.surfaces, world.radius);
   build_strata(world);
+  for (Stratum& s : world.strata) s.view = find_light_view(world, s);
   return world;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,19 @@ struct WorldTriangle {
   bool meniscus;                     // of a meniscus, or of a material with `meniscus_target`
 };
 
+// A rectangle, corner and edges, across a distant light; see light_view.h.
+struct LightView {
+  glm::dvec3 corner, u, v;  // metres
+  double area;              // m2
+};
+
 // Triangles on which photons start, uniformly by area.
 struct Stratum {
   std::string name;                    // "targeted", "caustic"
   std::uint32_t stream;                // shared::STREAM_*
   std::uint32_t first = 0, count = 0;  // range in World::targets and World::cdf
   double area = 0;                     // m2
+  std::optional<LightView> view{};     // photons start in it instead of by area
 };
 
 // What building a liquid's menisci gave, for `info` and the statistics.

@@ -40,7 +40,7 @@ struct Light {
 };
 
 // A path's end where it is no triangle.
-const uint END_DROPPED = 0xFFFFFFF0u;  // lost the roulette on the cosine at the target
+const uint END_DROPPED = 0xFFFFFFF0u;  // met no target, or was scattered diffusely by it at once
 const uint END_BLOCKED = 0xFFFFFFF1u;  // light sample not visible, or not emitting this way
 const uint END_ESCAPED = 0xFFFFFFF2u;  // left the scene
 const uint END_CUT = 0xFFFFFFF3u;      // more specular events than asked for
@@ -92,11 +92,12 @@ struct PixelSample {
 };
 
 struct PhotonPush {
+  vec4 view_corner, view_u, view_v;        // the light's view to start in; view_corner.w: 1 where there is one
   uint seed, pass, stream, first;          // first: photon index of invocation 0
   uint count, target_first, target_count;  // count: photons of this dispatch; targets: their range in the tables
   uint light_first, light_count;           // range of the lights in the CDF
-  float power_scale;                       // stratum area / photons started in the stratum
-  float spread;                            // disc half-width in units of the spacing of starts
+  float power_scale;                       // area of the stratum, or of the light's view, / photons started
+  float reach;                             // half-width of discs that light reaches unbent, m
   float narrowest, widest;                 // bounds of a disc's half-widths, m; equal: all discs are round
   uint cell_mask;                          // cells of one level of the hash grid - 1 (a power of two)
   uint specular_bounces;

@@ -87,6 +87,7 @@ TEST(Gather, RoundsAddUp) {
   RenderOptions options = test::small_options(400000, 5, 5);
   options.radius = 0.02;
   const auto setup = test::make_setup("post", options);
+  setup->settings.photons = {200000, 1000};
   GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
   reference::ReferenceBackend cpu(setup->world, setup->settings);
   const auto a = samples_of(gpu, 0), b = samples_of(cpu, 0);

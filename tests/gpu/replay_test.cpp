@@ -50,7 +50,7 @@ TEST_P(Replay, EveryPhotonEndsAlike) {
   for (std::size_t s = 0; s < setup->world.strata.size(); ++s) {
     const Stratum& stratum = setup->world.strata[s];
     const reference::PhotonSettings settings{setup->settings.seed, 3, setup->settings.photons[s],
-                                             setup->settings.specular_bounces, setup->settings.discs[s]};
+                                             setup->settings.specular_bounces, setup->settings.discs};
     const std::vector<PhotonEnd> ends = gpu.trace_photons(s, 3);
     ASSERT_EQ(ends.size(), settings.started);
     double flux_sum = 0;

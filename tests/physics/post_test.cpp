@@ -33,7 +33,7 @@ Rings render_rings(const test::Setup& setup, std::uint32_t passes) {
       for (std::size_t i = 0; i < rings.tallies.size(); ++i) rings.tallies[i].add(result.tallies[i]);
   }
   for (std::size_t i = 0; i < sums.size(); ++i) rings.irradiance.push_back(counts[i] > 0 ? sums[i] / counts[i] : 0);
-  rings.final_radius_mm = 1e3 * pass_discs(setup.settings.discs[0], passes - 1).narrowest;
+  rings.final_radius_mm = 1e3 * pass_discs(setup.settings.discs, passes - 1).radius();
   return rings;
 }
 

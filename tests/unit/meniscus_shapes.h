@@ -162,6 +162,29 @@ inline TriangleMesh box(const glm::dvec3& low, const glm::dvec3& high) {
   return mesh;
 }
 
+// A square tray, flat-shaded: walls of thickness `wall` round the square of half-width `half`.
+inline TriangleMesh tray(double half, double wall, double floor, double rim) {
+  TriangleMesh mesh;
+  const auto at = [](double h, int k, double y) {
+    return glm::dvec3(k == 2 || k == 3 ? h : -h, y, k == 1 || k == 2 ? h : -h);
+  };
+  const auto quad = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+    const glm::dvec3 n = glm::normalize(glm::cross(b - a, c - a));
+    add_triangle(mesh, a, b, c, n);
+    add_triangle(mesh, a, c, d, n);
+  };
+  const double outer = half + wall, bottom = floor - wall;
+  for (int k = 0; k < 4; ++k) {
+    const int l = (k + 1) % 4;
+    quad(at(outer, l, bottom), at(outer, l, rim), at(outer, k, rim), at(outer, k, bottom));
+    quad(at(half, k, floor), at(half, k, rim), at(half, l, rim), at(half, l, floor));
+    quad(at(outer, k, rim), at(outer, l, rim), at(half, l, rim), at(half, k, rim));
+  }
+  quad(at(half, 0, floor), at(half, 1, floor), at(half, 2, floor), at(half, 3, floor));
+  quad(at(outer, 3, bottom), at(outer, 2, bottom), at(outer, 1, bottom), at(outer, 0, bottom));
+  return mesh;
+}
+
 inline TriangleMesh moved(TriangleMesh mesh, const glm::dmat4& m) {
   for (glm::dvec3& p : mesh.positions) p = glm::dvec3(m * glm::dvec4(p, 1));
   for (glm::dvec3& n : mesh.normals) n = glm::normalize(glm::dvec3(m * glm::dvec4(n, 0)));
