@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <glm/gtc/constants.hpp>
+#include <limits>
 
 namespace meniscal {
 namespace {
@@ -70,16 +70,17 @@ std::vector<std::uint32_t> photon_budget(const World& world, std::uint32_t photo
 }
 
 Discs default_discs(const World& world, const std::vector<std::uint32_t>& photons, double footprint) {
-  // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds; at fewer spacings
-  // they are noisy.
-  constexpr double narrowest = 0.85, spacings = 4, most_pixels = 27;
-  double spacing = footprint;
+  // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds; discs of fewer
+  // spacings are noisy, and the stratum whose starts are furthest apart puts up with half as many.
+  constexpr double narrowest = 0.85, fine_spacings = 4, coarse_spacings = 2, most_pixels = 27;
+  double finest = std::numeric_limits<double>::infinity(), coarsest = footprint;
   for (std::size_t i = 0; i < world.strata.size(); ++i) {
     const Stratum& s = world.strata[i];
-    const double own = std::sqrt((s.view ? s.view->area : s.area) / std::max(photons[i], 1u));
-    spacing = i == 0 ? own : std::min(spacing, own);
+    const double spacing = std::sqrt((s.view ? s.view->area : s.area) / std::max(photons[i], 1u));
+    finest = std::min(finest, spacing);
+    coarsest = i == 0 ? spacing : std::max(coarsest, spacing);
   }
-  const double reach = spacings * spacing;
+  const double reach = std::max(fine_spacings * std::min(finest, coarsest), coarse_spacings * coarsest);
   // The grid's levels span a factor of 128 between the narrowest and the widest.
   return {reach, std::max(narrowest * footprint, reach / 100), std::max(most_pixels * footprint, reach)};
 }
