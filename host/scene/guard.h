@@ -1,5 +1,5 @@
 // The door for bytes: what a scene file may make this program read, and how much of it.
-// tinygltf 2.7 itself follows `../../etc/passwd`, aborts on folders and overflows its stack on deep JSON (measured.md).
+// tinygltf 2.7 itself follows `../../etc/passwd`, aborts on folders and overflows its stack on deep JSON.
 #pragma once
 
 #include <tiny_gltf.h>

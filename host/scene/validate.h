@@ -1,5 +1,5 @@
 // Checks a parsed model before anything of it is read: afterwards every index, buffer view and accessor is in bounds,
-// and the node hierarchy is a forest. tinygltf 2.7 lets all of these pass (measured.md).
+// and the node hierarchy is a forest. tinygltf 2.7 lets all of these pass.
 #pragma once
 
 #include <tiny_gltf.h>
