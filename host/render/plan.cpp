@@ -64,8 +64,10 @@ std::vector<std::uint32_t> photon_budget(const World& world, std::uint32_t photo
   double total = 0;
   for (const Stratum& s : world.strata) total += std::sqrt(s.area);
   std::vector<std::uint32_t> budget;
-  for (const Stratum& s : world.strata)
-    budget.push_back(world.lights.empty() ? 0 : static_cast<std::uint32_t>(photons * std::sqrt(s.area) / total));
+  for (const Stratum& s : world.strata) {
+    const double share = 0.5 * (std::sqrt(s.area) / total + 1.0 / double(world.strata.size()));
+    budget.push_back(world.lights.empty() ? 0 : static_cast<std::uint32_t>(photons * share));
+  }
   return budget;
 }
 
