@@ -35,7 +35,8 @@ struct MapPasses {
       : photons(device, capacity),
         trace(device, tables, photons, !discs.round()),
         sort(device, photons.keys, capacity),
-        cells(device, photons, sort, capacity, std::size_t(shared::GRID_LEVELS) << 17, tables.texel),
+        cells(device, photons, sort, capacity, passes::make_grid(static_cast<std::uint32_t>(capacity), discs).cells(),
+              tables.texel),
         gather(device, cells, tiles, tables.texel) {}
 };
 
@@ -67,11 +68,9 @@ struct GpuBackend::Passes {
 
   // By the stages of interface: seconds of "photons", "grid", "gather", and of set-up.
   std::map<std::string, double> seconds() const {
-    static const std::map<std::string, std::string> stage = {
-        {"photons", "photons"}, {"camera", "camera"}, {"gather", "gather"}};
     std::map<std::string, double> sums = {{"upload", upload_seconds}, {"compile", compile_seconds}};
     for (const auto& [pass, time] : commands.seconds_by_pass())
-      sums[stage.contains(pass) ? stage.at(pass) : "grid"] += time;
+      sums[pass == "photons" || pass == "camera" || pass == "gather" ? pass : "grid"] += time;
     return sums;
   }
 

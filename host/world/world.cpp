@@ -176,15 +176,16 @@ World build_world(const Scene& scene, MeniscusModel model) {
   for (const Object& object : scene.objects) {
     const Material& m = scene.materials[object.material];
     const auto material = static_cast<std::uint32_t>(object.material);
-    if (m.liquid)
+    if (m.liquid) {
       append_liquid(world, scene, object, model);
-    else if (object.closed && m.transmission > 0 && signed_volume(object.mesh) < 0)
+      continue;
+    }
+    if (object.closed && m.transmission > 0 && signed_volume(object.mesh) < 0)
       world.warnings.push_back(
           fmt::format("{}: object \"{}\": its faces point inward, so it is a cavity in its own material; turn its "
                       "normals outward for a solid",
                       scene.file, object.name));
-    if (!m.liquid)
-      append(world.triangles, object.mesh, object.closed ? closed_surface[material] : material, nullptr, m.target);
+    append(world.triangles, object.mesh, object.closed ? closed_surface[material] : material, nullptr, m.target);
   }
   const bool contacts =
       std::any_of(world.liquids.begin(), world.liquids.end(), [](const auto& l) { return !l.contacts.empty(); });
