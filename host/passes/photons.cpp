@@ -58,7 +58,7 @@ void PhotonPass::run(gpu::Commands& commands, const World& world, const RenderSe
   push.target_count = s.count;
   push.light_first = world.light_first;
   push.light_count = static_cast<std::uint32_t>(world.lights.size());
-  push.power_scale = static_cast<float>((s.view ? s.view->area : s.area) / photons);
+  push.power_scale = static_cast<float>(s.start_area() / photons);
   if (s.view) {
     push.view_corner = glm::vec4(s.view->corner, 1);
     push.view_u = glm::vec4(s.view->u, 0);

@@ -8,9 +8,9 @@ namespace meniscal::passes {
 
 struct SceneTables {
   gpu::Buffer scene, normals, surfaces, lights, cdf, targets, counters;
-  std::vector<std::uint32_t>
-      scene_constants;  // specialisation constants of scene.glsl, in order of their ids, without the last
-  bool texel;           // tables are read through texel buffers: how shaders are to be compiled
+  // Specialisation constants of scene.glsl in order of their ids, all but the last.
+  std::vector<std::uint32_t> scene_constants;
+  bool texel;  // tables are read through texel buffers: how shaders are to be compiled
 
   // Texel buffers are used where `allow_texel`, and where the largest table fits: `largest_table` is the number of
   // 16-byte elements of the largest that shaders will read beside these.

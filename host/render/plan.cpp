@@ -78,7 +78,7 @@ Discs default_discs(const World& world, const std::vector<std::uint32_t>& photon
   double finest = std::numeric_limits<double>::infinity(), coarsest = footprint;
   for (std::size_t i = 0; i < world.strata.size(); ++i) {
     const Stratum& s = world.strata[i];
-    const double spacing = std::sqrt((s.view ? s.view->area : s.area) / std::max(photons[i], 1u));
+    const double spacing = std::sqrt(s.start_area() / std::max(photons[i], 1u));
     finest = std::min(finest, spacing);
     coarsest = i == 0 ? spacing : std::max(coarsest, spacing);
   }

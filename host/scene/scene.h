@@ -50,8 +50,8 @@ struct Object {
   std::string name;             // node name, else mesh name; "name/primitive" where a mesh has several
   meniscus::TriangleMesh mesh;  // normals always present: the file's, or facet normals (vertices split)
   bool has_file_normals = false;
-  bool closed =
-      false;  // every edge of the whole glTF mesh (all its primitives, positions merged) is shared by two triangles
+  // Every edge of the whole glTF mesh (all its primitives, positions merged) is shared by two triangles.
+  bool closed = false;
   int material = 0;  // index into Scene::materials
 };
 

@@ -40,6 +40,8 @@ struct Stratum {
   std::uint32_t first = 0, count = 0;  // range in World::targets and World::cdf
   double area = 0;                     // m2
   std::optional<LightView> view{};     // photons start in it instead of by area
+
+  double start_area() const { return view ? view->area : area; }  // over which starts are even, m2
 };
 
 // What building a liquid's menisci gave, for `info` and the statistics.

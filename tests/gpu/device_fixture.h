@@ -15,10 +15,10 @@ namespace meniscal::gpu {
 
 inline bool on_ci() { return std::getenv("CI") != nullptr; }
 
-#define REQUIRE_DEVICE()                                                                      \
-  if (list_devices().empty()) {                                                               \
-    if (on_ci()) FAIL() << "no Vulkan device on CI: mesa-vulkan-drivers should be installed"; \
-    GTEST_SKIP() << "no Vulkan device: install mesa-vulkan-drivers to run this test";         \
+#define REQUIRE_DEVICE()                                                                                     \
+  if (meniscal::gpu::list_devices().empty()) {                                                               \
+    if (meniscal::gpu::on_ci()) FAIL() << "no Vulkan device on CI: mesa-vulkan-drivers should be installed"; \
+    GTEST_SKIP() << "no Vulkan device: install mesa-vulkan-drivers to run this test";                        \
   }
 
 inline std::string error_text(const std::function<void()>& action, ExitCode code) {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <functional>
 #include <memory>
 
@@ -11,6 +10,7 @@
 #include "host/reference/backend.h"
 #include "host/render/gpu_backend.h"
 #include "host/render/progressive.h"
+#include "tests/gpu/device_fixture.h"
 
 namespace meniscal::test {
 
@@ -38,15 +38,6 @@ inline RenderOptions small_options(std::uint32_t photons, int width = 64, int he
   options.specular_bounces = 8;
   return options;
 }
-
-// Skipped where there is no driver, visibly; on CI there must be one.
-inline bool have_device() {
-  const bool have = !gpu::list_devices().empty();
-  if (!have && std::getenv("CI")) ADD_FAILURE() << "no Vulkan device on a CI machine; install mesa-vulkan-drivers";
-  return have;
-}
-#define REQUIRE_DEVICE() \
-  if (!meniscal::test::have_device()) GTEST_SKIP() << "no Vulkan device: install mesa-vulkan-drivers"
 
 inline const Stratum* find_stratum(const World& world, const std::string& name) {
   for (const Stratum& s : world.strata)
