@@ -56,7 +56,7 @@ void main() {
     s.triangle = point.triangle;
     s.weight = path.throughput * path.radiance_scale * surface.albedo * 0.318309886183791;
     if (push.light_count == 0u) break;
-    LightSample light = sample_light(point.position, push.light_first, push.light_count, random);
+    LightSample light = sample_lights(point.position, push.light_first, push.light_count, random);
     float cosine = dot(light.direction, front ? point.shading : -point.shading);
     unshadowed = light.irradiance * cosine;
     // Nothing will stand between: the light is in the medium that the camera path has come through.

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Irradiance at each pixel's visible point from the photons of one map: sum of flux K(q2) / (product of the disc's half-widths), over the
+// Irradiance at each pixel's visible point from the photons of each map: sum of flux K(q2) / (product of the disc's half-widths), over the
 // discs that hold the point.
 #include "fetch.glsl"
 #include "shared/geometry.h"
@@ -16,8 +16,8 @@ void main() {
   uint i = push.first_pixel + invocation_index();
   if (i >= push.pixels || samples[i].triangle >= END_FIRST) return;
   vec3 position = samples[i].position, normal = samples[i].normal;
-  vec3 irradiance = vec3(0.0);
-  float found = 0.0;
+  vec3 targeted = vec3(0.0), caustic = vec3(0.0);
+  float targeted_count = 0.0, caustic_count = 0.0;
   uint seen = 0u;  // candidates so far, over all cells: those of this round are [first_candidate, first_candidate + GATHER_ROUND)
   uint round_end = push.first_candidate + GATHER_ROUND;
   for (uint c = 0u; c < 8u * push.levels; ++c) {
@@ -35,18 +35,21 @@ void main() {
       // Cells that share a key share a range: each photon counts in its own cell only. Photons of another side of the surface, or
       // beyond a corner or step, are another surface's.
       if (q2 < 1.0 && grid_cell(photon, size) == cell && dot(facing, normal) > 0.8 * density && abs(dot(offset, normal)) < 0.25 * size) {
-        irradiance += uintBitsToFloat(uvec3(place.w, along.w, across.w)) * (disc_kernel(q2) * density);
-        found += 1.0;
+        vec3 irradiance = uintBitsToFloat(uvec3(place.w & 0x7FFFFFFFu, along.w, across.w)) * (disc_kernel(q2) * density);
+        if ((place.w >> 31u) == MAP_TARGETED) {
+          targeted += irradiance;
+          targeted_count += 1.0;
+        } else {
+          caustic += irradiance;
+          caustic_count += 1.0;
+        }
       }
     }
     seen += range.y - range.x;
   }
   atomicMax(counters[COUNTER_MOST_CANDIDATES], seen);
-  if (push.map == 0u) {
-    samples[i].targeted += irradiance;
-    samples[i].targeted_count += found;
-  } else {
-    samples[i].caustic += irradiance;
-    samples[i].caustic_count += found;
-  }
+  samples[i].targeted += targeted;
+  samples[i].targeted_count += targeted_count;
+  samples[i].caustic += caustic;
+  samples[i].caustic_count += caustic_count;
 }

@@ -10,11 +10,10 @@ struct LightSample {
 
 const float FAR = 1e30;
 
-LightSample sample_light(vec3 point, uint first, uint count, RandomKey key) {
-  float rest;
-  uint index = pick(first, count, random_bits(key, DIM_LIGHT), rest);
+// `weight`: 1 / probability of having chosen this light.
+LightSample sample_light(uint index, float weight, vec3 point, RandomKey key) {
   Light light = lights[index];
-  LightSample s = LightSample(-light.direction, FAR, light.intensity / light.probability, NO_TRIANGLE);
+  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE);
   if (HAS_AREA && light.type == LIGHT_AREA) {
     float root = sqrt(random_unit(key, DIM_LIGHT_U)), v = random_unit(key, DIM_LIGHT_V) * root;
     vec3 on_light = light.position + (1.0 - root) * light.edge1 + v * light.edge2;
@@ -40,6 +39,13 @@ LightSample sample_light(vec3 point, uint first, uint count, RandomKey key) {
     }
   }
   return s;
+}
+
+// One of the lights, by the CDF that begins at `first`.
+LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key) {
+  float rest, weight;
+  uint index = pick(first, count, random_bits(key, DIM_LIGHT), rest, weight);
+  return sample_light(index, weight, point, key);
 }
 
 // How far a shadow ray must be free, so that the emitting triangle does not shadow itself.

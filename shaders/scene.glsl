@@ -177,9 +177,11 @@ vec3 leave(vec3 point, vec3 normal) {
   return point + normal * (2e-7 * max(size.x, max(size.y, size.z)) + 2e-8 * SCENE_RADIUS);
 }
 
-// The entry of cdf[first .. first + count) whose interval holds `bits`, and where in the interval it falls, in [0, 1).
-uint pick(uint first, uint count, uint bits, out float rest) {
+// The entry of cdf[first .. first + count) whose interval holds `bits`, where in the interval it falls, in [0, 1), and 1 / the
+// interval's width, its probability. Entries without a width are never picked.
+uint pick(uint first, uint count, uint bits, out float rest, out float weight) {
   uint low = 0u, high = count - 1u;
+  bits = min(bits, 0xFFFFFFFEu);
   for (uint i = 0u; i < 32u && low < high; ++i) {
     uint middle = (low + high) >> 1u;
     if (bits < cdf[first + middle]) high = middle;
@@ -188,5 +190,6 @@ uint pick(uint first, uint count, uint bits, out float rest) {
   uint start = low == 0u ? 0u : cdf[first + low - 1u];
   uint width = cdf[first + low] - start;
   rest = min(float(bits - start) / float(width), 0.99999994);
+  weight = 4294967296.0 / float(width);
   return low;
 }

@@ -54,9 +54,10 @@ void render(const RenderOptions& options) {
   for (const std::string& w : world.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   if (options.diffuse_bounces > 0)
     fmt::print(stderr, "meniscal: warning: interreflection is not computed yet; --diffuse-bounces is taken as 0\n");
-  const RenderSettings settings = choose_settings(options, scene, world);
+  RenderSettings settings = choose_settings(options, scene, world);
 
   const std::unique_ptr<Backend> backend = make_backend(options.device, world, settings);
+  focus(settings, options, world, *backend);
   Film film(settings.crop, options.aovs, options.map_scale, scene.origin);
   const PassRange asked = options.passes_to_run();
   progress.begin("passes", asked.last - asked.first);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/error.h"
+#include "host/render/pilot.h"
 #include "host/render/plan.h"
 
 namespace meniscal {
@@ -37,6 +38,12 @@ void choose_size(RenderSettings& settings, const RenderOptions& options) {
                                              settings.crop.y1, settings.width, settings.height));
 }
 
+void set_beams(RenderSettings& settings, const RenderOptions& options, std::vector<shared::Beam> beams) {
+  settings.beams = std::move(beams);
+  settings.discs =
+      options.radius ? Discs{*options.radius, *options.radius} : default_discs(settings.beams, settings.footprint);
+}
+
 }  // namespace
 
 RenderSettings choose_settings(const RenderOptions& options, const Scene& scene, const World& world) {
@@ -45,11 +52,14 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.specular_bounces = options.specular_bounces;
   settings.camera = find_camera(scene, options.camera);
   choose_size(settings, options);
-  settings.photons = photon_budget(world, options.photons);
   settings.footprint = pixel_footprint(world, settings);
-  settings.discs = options.radius ? Discs{*options.radius, *options.radius, *options.radius}
-                                  : default_discs(world, settings.photons, settings.footprint);
+  set_beams(settings, options, make_beams(world, default_starts(world), options.photons));
   return settings;
+}
+
+void focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend) {
+  set_beams(settings, options, make_beams(world, find_starts(backend, world, settings), options.photons));
+  backend.configure(settings);
 }
 
 }  // namespace meniscal

@@ -46,7 +46,9 @@ void CameraPass::run(gpu::Commands& commands, const World& world, const RenderSe
   push.jitter = static_cast<float>(pixel_jitter(settings, pass));
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
     push.buffer_first = tiles_[t].first;
-    batch_.run(commands, tiles_[t].count, [&](std::uint32_t first, std::uint32_t count) {
+    if (tiles_[t].first >= settings.crop.pixels()) break;
+    const auto pixels = static_cast<std::uint32_t>(settings.crop.pixels() - tiles_[t].first);
+    batch_.run(commands, std::min(tiles_[t].count, pixels), [&](std::uint32_t first, std::uint32_t count) {
       push.first = tiles_[t].first + first;
       push.count = count;
       commands.dispatch(pass_, buffers_[t], push, groups_of_64(count));

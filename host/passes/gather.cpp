@@ -23,12 +23,11 @@ GatherPass::GatherPass(const gpu::Device& device, const CellsPass& map, const st
         pass_.bind({{0, map.photons, gpu::Format::rgba32ui}, {1, map.cells}, {2, tile.samples}, {3, counters_}}));
 }
 
-void GatherPass::run(gpu::Commands& commands, const Grid& grid, std::uint32_t stream) {
+void GatherPass::run(gpu::Commands& commands, const Grid& grid) {
   shared::GatherPush push{};
   push.narrowest = static_cast<float>(grid.discs.narrowest);
   push.levels = grid.levels;
   push.cell_mask = grid.mask;
-  push.map = stream;
   commands.fill(counters_, 0);
   std::uint32_t most = 0;
   while (push.first_candidate <= most) {

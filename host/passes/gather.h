@@ -1,4 +1,4 @@
-// Irradiance at the visible points from one photon map: host side of shaders/gather.comp.
+// Irradiance at the visible points from the photon maps: host side of shaders/gather.comp.
 #pragma once
 
 #include "host/passes/cells.h"
@@ -11,7 +11,7 @@ class GatherPass {
   // `tiles` must outlive the pass, which adds to their samples.
   GatherPass(const gpu::Device& device, const CellsPass& map, const std::vector<PixelTile>& tiles, bool texel);
   // Submits as many rounds as the pixel with the most candidates needs, after what is recorded already.
-  void run(gpu::Commands& commands, const Grid& grid, std::uint32_t stream);
+  void run(gpu::Commands& commands, const Grid& grid);
 
  private:
   gpu::Buffer counters_;

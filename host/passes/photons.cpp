@@ -10,7 +10,7 @@ namespace {
 
 gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, bool differentials) {
   std::vector<gpu::Binding> layout = tables.layout();
-  for (std::uint32_t i = 0; i < 3; ++i) layout.push_back({BIND_OUTPUT + i, gpu::Kind::storage});
+  for (std::uint32_t i = 0; i < 4; ++i) layout.push_back({BIND_OUTPUT + i, gpu::Kind::storage});
   return {device,
           "photons",
           shader("photons", tables.texel),
@@ -19,10 +19,11 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
           tables.constants(differentials)};
 }
 
-gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, const PhotonBuffers& b) {
+gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, const PhotonBuffers& b,
+                     const gpu::Buffer& beams) {
   std::vector<gpu::Bound> bound = tables.bound();
   std::uint32_t binding = BIND_OUTPUT;
-  for (const gpu::Buffer* buffer : {&b.ends, &b.discs, &b.keys}) bound.push_back({binding++, *buffer});
+  for (const gpu::Buffer* buffer : {&b.ends, &b.discs, &b.keys, &beams}) bound.push_back({binding++, *buffer});
   return pass.bind(bound);
 }
 
@@ -43,34 +44,27 @@ Grid make_grid(std::uint32_t photons, const Discs& discs) {
 }
 
 PhotonPass::PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers,
-                       bool differentials)
-    : pass_(make_pass(device, tables, differentials)), buffers_(bind(pass_, tables, buffers)) {}
+                       std::size_t beams, bool differentials)
+    : beams_(device, "beams", beams * sizeof(shared::Beam)),
+      pass_(make_pass(device, tables, differentials)),
+      buffers_(bind(pass_, tables, buffers, beams_)) {}
 
-void PhotonPass::run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::size_t stratum,
-                     std::uint32_t pass, const Grid& grid) {
-  const Stratum& s = world.strata[stratum];
-  const std::uint32_t photons = settings.photons[stratum];
+void PhotonPass::run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::uint32_t pass,
+                     std::uint32_t first_photon, std::uint32_t photons, const Grid& grid) {
+  beams_.upload(settings.beams);
   shared::PhotonPush push{};
   push.seed = settings.seed;
   push.pass = pass;
-  push.stream = s.stream;
-  push.target_first = s.first;
-  push.target_count = s.count;
-  push.light_first = world.light_first;
+  push.beams = static_cast<std::uint32_t>(settings.beams.size());
   push.light_count = static_cast<std::uint32_t>(world.lights.size());
-  push.power_scale = static_cast<float>(s.start_area() / photons);
-  if (s.view) {
-    push.view_corner = glm::vec4(s.view->corner, 1);
-    push.view_u = glm::vec4(s.view->u, 0);
-    push.view_v = glm::vec4(s.view->v, 0);
-  }
-  push.reach = static_cast<float>(grid.discs.reach);
+  push.buffer_first = first_photon;
+  push.specular_bounces = settings.specular_bounces;
+  push.shrink = static_cast<float>(grid.discs.shrink);
   push.narrowest = static_cast<float>(grid.discs.narrowest);
   push.widest = static_cast<float>(grid.discs.widest);
   push.cell_mask = grid.mask;
-  push.specular_bounces = settings.specular_bounces;
   batch_.run(commands, photons, [&](std::uint32_t first, std::uint32_t count) {
-    push.first = first;
+    push.first = first_photon + first;
     push.count = count;
     commands.dispatch(pass_, buffers_, push, groups_of_64(count));
   });

@@ -1,4 +1,4 @@
-// Photons of one stratum, traced to their ends: host side of shaders/photons.comp.
+// Photons traced to their ends: host side of shaders/photons.comp.
 #pragma once
 
 #include "host/passes/batch.h"
@@ -24,15 +24,20 @@ struct Grid {
   std::size_t cells() const { return std::size_t(levels) * (mask + 1); }
 };
 Grid make_grid(std::uint32_t photons, const Discs& discs);
+constexpr std::size_t most_cells = std::size_t(shared::GRID_LEVELS) << 17;
 
 class PhotonPass {
  public:
-  // `differentials`: discs take their shape from them; else the shader leaves them out.
-  PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers, bool differentials);
-  void run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::size_t stratum,
-           std::uint32_t pass, const Grid& grid);
+  // `beams`: there will be at the most. `differentials`: discs take their shape from them; else the shader leaves them
+  // out.
+  PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers, std::size_t beams,
+             bool differentials);
+  // Photons first .. first + count of a pass, into the buffers from their beginning on.
+  void run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::uint32_t pass,
+           std::uint32_t first, std::uint32_t count, const Grid& grid);
 
  private:
+  gpu::Buffer beams_;
   gpu::ComputePass pass_;
   gpu::BindingSet buffers_;
   Batch batch_;

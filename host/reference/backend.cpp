@@ -5,20 +5,27 @@
 
 namespace meniscal::reference {
 
-std::vector<Photon> ReferenceBackend::photons(std::size_t stratum, std::uint32_t pass) const {
-  const PhotonSettings settings{settings_.seed, pass, settings_.photons[stratum], settings_.specular_bounces,
-                                pass_discs(settings_.discs, pass)};
+std::vector<Photon> ReferenceBackend::photons(std::uint32_t pass) const {
   std::vector<Photon> photons;
-  photons.reserve(settings.started);
-  for (std::uint32_t i = 0; i < settings.started; ++i)
-    photons.push_back(trace_photon(tracer_, world_.strata[stratum], settings, i));
+  photons.reserve(settings_.photons());
+  for (std::uint32_t i = 0; i < settings_.photons(); ++i) photons.push_back(trace_photon(tracer_, settings_, pass, i));
   return photons;
 }
 
-std::vector<PhotonEnd> ReferenceBackend::trace_photons(std::size_t stratum, std::uint32_t pass) {
+std::vector<PhotonEnd> ReferenceBackend::trace_photons(std::uint32_t pass) {
   std::vector<PhotonEnd> ends;
-  for (const Photon& p : photons(stratum, pass)) ends.push_back({p.position, p.flux, p.end});
+  for (const Photon& p : photons(pass)) ends.push_back({p.map, p.end, p.position, p.flux});
   return ends;
+}
+
+std::vector<shared::PixelSample> ReferenceBackend::trace_camera(std::uint32_t pass) {
+  const CameraAxes axes = camera_axes(settings_.camera, settings_.width, settings_.height);
+  const Crop& crop = settings_.crop;
+  std::vector<shared::PixelSample> samples;
+  for (std::uint32_t y = crop.y0; y < crop.y1; ++y)
+    for (std::uint32_t x = crop.x0; x < crop.x1; ++x)
+      samples.push_back(trace_camera_path(tracer_, settings_, axes, pass, x, y));
+  return samples;
 }
 
 Backend::Statistics ReferenceBackend::statistics() const {
@@ -26,30 +33,21 @@ Backend::Statistics ReferenceBackend::statistics() const {
 }
 
 PassResult ReferenceBackend::render_pass(std::uint32_t pass) {
-  PassResult result;
-  const CameraAxes axes = camera_axes(settings_.camera, settings_.width, settings_.height);
-  const Crop& crop = settings_.crop;
-  for (std::uint32_t y = crop.y0; y < crop.y1; ++y)
-    for (std::uint32_t x = crop.x0; x < crop.x1; ++x)
-      result.samples.push_back(trace_camera_path(tracer_, settings_, axes, pass, x, y));
+  PassResult result{trace_camera(pass), {}};
+  const std::vector<Photon> started = photons(pass);
+  for (Tally& t : result.tallies) t.flux_landed.resize(world_.surfaces.size());
+  for (const Photon& p : started)
+    result.tallies[p.map].count(mean_of(p.entered), mean_of(p.flux), p.end,
+                                [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
 
-  for (std::size_t s = 0; s < world_.strata.size(); ++s) {
-    const std::vector<Photon> started = photons(s, pass);
-    Tally tally;
-    tally.flux_landed.resize(world_.surfaces.size());
-    for (const Photon& p : started)
-      tally.count(mean_of(p.entered), mean_of(p.flux), p.end,
-                  [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
-    result.tallies.push_back(tally);
-
-    const PhotonMap map(started, pass_discs(settings_.discs, pass).widest);
-    const bool targeted = world_.strata[s].stream == shared::STREAM_TARGETED;
-    for (shared::PixelSample& sample : result.samples) {
-      if (sample.triangle >= shared::END_FIRST) continue;
-      const Density d = map.estimate(glm::dvec3(sample.position), glm::dvec3(sample.normal));
-      (targeted ? sample.targeted : sample.caustic) = glm::vec3(d.irradiance);
-      (targeted ? sample.targeted_count : sample.caustic_count) = static_cast<float>(d.photons);
-    }
+  const PhotonMap map(started, pass_discs(settings_.discs, pass).widest);
+  for (shared::PixelSample& sample : result.samples) {
+    if (sample.triangle >= shared::END_FIRST) continue;
+    const auto [targeted, caustic] = map.estimate(glm::dvec3(sample.position), glm::dvec3(sample.normal));
+    sample.targeted = glm::vec3(targeted.irradiance);
+    sample.targeted_count = static_cast<float>(targeted.photons);
+    sample.caustic = glm::vec3(caustic.irradiance);
+    sample.caustic_count = static_cast<float>(caustic.photons);
   }
   return result;
 }

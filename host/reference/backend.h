@@ -12,11 +12,13 @@ class ReferenceBackend final : public Backend {
       : world_(world), settings_(std::move(settings)), tracer_(world) {}
 
   PassResult render_pass(std::uint32_t pass) override;
-  std::vector<PhotonEnd> trace_photons(std::size_t stratum, std::uint32_t pass) override;
+  std::vector<PhotonEnd> trace_photons(std::uint32_t pass) override;
+  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass) override;
+  void configure(const RenderSettings& settings) override { settings_ = settings; }
   Statistics statistics() const override;
 
  private:
-  std::vector<Photon> photons(std::size_t stratum, std::uint32_t pass) const;
+  std::vector<Photon> photons(std::uint32_t pass) const;
 
   const World& world_;
   RenderSettings settings_;

@@ -25,10 +25,10 @@ std::uint64_t PhotonMap::key(const glm::i64vec3& cell) {
   return bits(cell.x) | bits(cell.y) << 21 | bits(cell.z) << 42;
 }
 
-Density PhotonMap::estimate(const glm::dvec3& position, const glm::dvec3& normal) const {
-  Density density;
+std::array<Density, shared::MAPS> PhotonMap::estimate(const glm::dvec3& position, const glm::dvec3& normal) const {
+  std::array<Density, shared::MAPS> densities;
   const auto cell = cells_.find(key(glm::i64vec3(glm::floor(position / cell_size_))));
-  if (cell == cells_.end()) return density;
+  if (cell == cells_.end()) return densities;
   for (const Photon* p : cell->second) {
     const glm::dvec3 offset = position - p->position, facing = glm::cross(p->disc.alpha, p->disc.beta);
     const double a = glm::dot(p->disc.alpha, offset), b = glm::dot(p->disc.beta, offset), q2 = a * a + b * b;
@@ -38,10 +38,11 @@ Density PhotonMap::estimate(const glm::dvec3& position, const glm::dvec3& normal
     if (q2 >= 1 || glm::dot(facing, normal) <= 0.8 * glm::length(facing) ||
         std::abs(glm::dot(offset, normal)) >= 0.5 * widest)
       continue;
+    Density& density = densities[p->map];
     density.irradiance += p->flux * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) * glm::length(facing));
     ++density.photons;
   }
-  return density;
+  return densities;
 }
 
 }  // namespace meniscal::reference

@@ -1,6 +1,7 @@
 // Irradiance from photons: the specification of shaders/gather.comp.
 #pragma once
 
+#include <array>
 #include <span>
 #include <unordered_map>
 
@@ -13,13 +14,14 @@ struct Density {
   int photons = 0;
 };
 
-// Photons of one map, each in all cells that its disc's surroundings reach.
+// Photons of all maps, each in all cells that its disc's surroundings reach.
 class PhotonMap {
  public:
   // `widest`: of the discs' half-widths, m.
   PhotonMap(std::span<const Photon> photons, double widest);
-  // Sum of flux K(q2) / (product of half-widths) over the discs that hold a point of a surface with this normal.
-  Density estimate(const glm::dvec3& position, const glm::dvec3& normal) const;
+  // By map: sum of flux K(q2) / (product of half-widths) over the discs that hold a point of a surface with this
+  // normal.
+  std::array<Density, shared::MAPS> estimate(const glm::dvec3& position, const glm::dvec3& normal) const;
 
  private:
   static std::uint64_t key(const glm::i64vec3& cell);

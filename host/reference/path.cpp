@@ -53,13 +53,17 @@ void scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double r
 
 void absorb(Path& path, double distance) { path.throughput *= glm::exp(-path.absorption * distance); }
 
-LightSample sample_light(const World& world, const glm::dvec3& point, const shared::RandomKey& key) {
-  const Picked picked =
-      pick(world.cdf, world.light_first, world.lights.size(), shared::random_bits(key, shared::DIM_LIGHT));
-  const shared::Light& light = world.lights[picked.index];
+LightSample sample_lights(const World& world, std::uint32_t first, const glm::dvec3& point,
+                          const shared::RandomKey& key) {
+  const Picked picked = pick(world.cdf, first, world.lights.size(), shared::random_bits(key, shared::DIM_LIGHT));
+  return sample_light(world, picked.index, picked.weight, point, key);
+}
+
+LightSample sample_light(const World& world, std::uint32_t index, double weight, const glm::dvec3& point,
+                         const shared::RandomKey& key) {
+  const shared::Light& light = world.lights[index];
   const glm::dvec3 axis = glm::normalize(glm::dvec3(light.direction));
-  LightSample s{-axis, std::numeric_limits<double>::infinity(), glm::dvec3(light.intensity) / double(light.probability),
-                no_triangle};
+  LightSample s{-axis, std::numeric_limits<double>::infinity(), glm::dvec3(light.intensity) * weight, no_triangle};
   if (light.type == shared::LIGHT_DIRECTIONAL) return s;
 
   glm::dvec3 on_light(light.position);
@@ -90,10 +94,10 @@ bool visible(const Tracer& tracer, const glm::dvec3& point, std::uint32_t triang
 
 Picked pick(const std::vector<std::uint32_t>& cdf, std::uint32_t first, std::size_t count, std::uint32_t bits) {
   const auto begin = cdf.begin() + first, end = begin + static_cast<std::ptrdiff_t>(count);
-  auto entry = std::upper_bound(begin, end, bits);
-  if (entry == end) --entry;
-  const double start = entry == begin ? 0 : double(*(entry - 1));
-  return {static_cast<std::uint32_t>(entry - begin), std::min((bits - start) / (*entry - start), 1 - 1e-9)};
+  bits = std::min(bits, 0xFFFFFFFEu);
+  const auto entry = std::upper_bound(begin, end, bits);
+  const double start = entry == begin ? 0 : double(*(entry - 1)), width = *entry - start;
+  return {static_cast<std::uint32_t>(entry - begin), std::min((bits - start) / width, 1 - 1e-9), 0x1p32 / width};
 }
 
 }  // namespace meniscal::reference

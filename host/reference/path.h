@@ -38,17 +38,23 @@ struct LightSample {
   std::uint32_t triangle;  // of an area light
 };
 
-LightSample sample_light(const World& world, const glm::dvec3& point, const shared::RandomKey& key);
+// `weight`: 1 / probability of having chosen this light.
+LightSample sample_light(const World& world, std::uint32_t light, double weight, const glm::dvec3& point,
+                         const shared::RandomKey& key);
+// One of the lights, by the CDF that begins at `first`.
+LightSample sample_lights(const World& world, std::uint32_t first, const glm::dvec3& point,
+                          const shared::RandomKey& key);
 
 // Whether nothing at all, specular surfaces included, stands between a point of `triangle`, seen from `side`, and the
 // light sample.
 bool visible(const Tracer& tracer, const glm::dvec3& point, std::uint32_t triangle, const glm::dvec3& side,
              const LightSample& light);
 
-// The entry of cdf[first .. first + count) whose interval holds `bits`, and where in the interval it falls, in [0, 1).
+// The entry of cdf[first .. first + count) whose interval holds `bits`, where in the interval it falls, in [0, 1), and
+// 1 / the interval's width, its probability.
 struct Picked {
   std::uint32_t index;
-  double rest;
+  double rest, weight;
 };
 Picked pick(const std::vector<std::uint32_t>& cdf, std::uint32_t first, std::size_t count, std::uint32_t bits);
 

@@ -1,15 +1,26 @@
 #include "host/reference/photons.h"
 
+#include <algorithm>
+
+#include "shaders/shared/starts.h"
+
 namespace meniscal::reference {
 namespace {
 
-// A point of the stratum, uniform by area: the Sobol point's first number picks the triangle, what is left of it and
+// A path that is about to meet its target: at `hit`, lit, or not.
+struct Start {
+  Path path;
+  Hit hit;
+  std::uint32_t map;
+  std::uint32_t end;  // END_CUT: goes on
+};
+
+// A point of the beam's targets, uniform by area: the start's first number picks the triangle, what is left of it and
 // the second number the place.
-Hit start_point(const World& world, const Stratum& stratum, const shared::RandomKey& key) {
-  const shared::uvec2 sobol = shared::sobol_point(key);
-  const Picked picked = pick(world.cdf, stratum.first, stratum.count, sobol.x);
-  const std::uint32_t index = world.targets[stratum.first + picked.index];
-  const double root = std::sqrt(picked.rest), v = root * double(shared::unit_float(sobol.y));
+Hit start_point(const World& world, const shared::Beam& beam, const shared::uvec2& bits) {
+  const Picked picked = pick(world.cdf, beam.target_first, beam.target_count, bits.x);
+  const std::uint32_t index = world.targets[beam.target_first + picked.index];
+  const double root = std::sqrt(picked.rest), v = root * double(shared::unit_float(bits.y));
   const double weight[3] = {root - v, 1 - root, v};
   Hit hit{0, index, glm::dvec3(0), glm::dvec3(0)};
   for (int k = 0; k < 3; ++k) {
@@ -20,29 +31,22 @@ Hit start_point(const World& world, const Stratum& stratum, const shared::Random
   return hit;
 }
 
-// A path that is about to meet its target: at `hit`, lit, or not.
-struct Start {
-  Path path;
-  Hit hit;
-  std::uint32_t end;  // END_CUT: goes on
-};
-
-// From a point of the target: asks the light.
-Start start_on_target(const Tracer& tracer, const Stratum& stratum, std::uint32_t started, const shared::RandomKey& key,
-                      const glm::dvec3& shift) {
+// From a point of the target: asks the light. `area`: that the photon stands for, m2.
+Start start_on_target(const Tracer& tracer, const shared::Beam& beam, double area, const shared::uvec2& bits,
+                      const shared::RandomKey& key, const glm::dvec3& shift) {
   const World& world = tracer.world();
-  Start start{{}, start_point(world, stratum, key), shared::END_CUT};
+  Start start{{}, start_point(world, beam, bits), beam.map, shared::END_CUT};
   Hit& hit = start.hit;
   hit.point += shift;
   const WorldTriangle& triangle = world.triangles[hit.triangle];
-  const LightSample light = sample_light(world, hit.point, key);
+  const LightSample light = sample_lights(world, beam.light_first, hit.point, key);
   const double cosine = glm::dot(light.direction, triangle.geometric);
   Path& path = start.path;
   path.ray = {hit.point, -light.direction};
   path.triangle = hit.triangle;
-  path.throughput = light.irradiance * std::abs(cosine) * (stratum.area / started);
+  path.throughput = light.irradiance * std::abs(cosine) * area;
   path.differential = start_differential(triangle.geometric, path.ray.direction, light.distance);
-  if (light.irradiance == glm::dvec3(0) ||
+  if (path.throughput == glm::dvec3(0) ||
       !visible(tracer, hit.point, hit.triangle, cosine > 0 ? triangle.geometric : -triangle.geometric, light)) {
     start.end = shared::END_BLOCKED;
   } else if (cosine < 0 && std::isfinite(light.distance)) {
@@ -53,52 +57,64 @@ Start start_on_target(const Tracer& tracer, const Stratum& stratum, std::uint32_
 }
 
 // From the light's view: looks for the target.
-Start start_in_view(const Tracer& tracer, const Stratum& stratum, std::uint32_t started, const shared::RandomKey& key,
-                    const glm::dvec3& shift) {
+Start start_in_view(const Tracer& tracer, const shared::Beam& beam, double area, const shared::uvec2& bits,
+                    const shared::RandomKey& key, const glm::dvec3& shift) {
   const World& world = tracer.world();
-  const shared::uvec2 sobol = shared::sobol_point(key);
-  const LightView& view = *stratum.view;
-  const glm::dvec3 origin =
-      view.corner + double(shared::unit_float(sobol.x)) * view.u + double(shared::unit_float(sobol.y)) * view.v + shift;
-  const LightSample light = sample_light(world, origin, key);
-  Start start{{}, {0, no_triangle, origin, glm::dvec3(0)}, shared::END_DROPPED};
+  const glm::dvec3 origin = glm::dvec3(beam.corner) + double(shared::unit_float(bits.x)) * glm::dvec3(beam.u) +
+                            double(shared::unit_float(bits.y)) * glm::dvec3(beam.v) + shift;
+  const LightSample light = sample_light(world, beam.light, 1, origin, key);
+  Start start{{}, {0, no_triangle, origin, glm::dvec3(0)}, beam.map, shared::END_DROPPED};
   Path& path = start.path;
   path.ray = {origin, -light.direction};
-  path.throughput = light.irradiance * (view.area / started);
+  path.throughput = light.irradiance * area;
   path.differential = start_differential(path.ray.direction, path.ray.direction, light.distance);
+  if (!(area > 0)) return start;
   const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), no_triangle);
   if (!hit) return start;
   const WorldTriangle& triangle = world.triangles[hit->triangle];
   start.hit = *hit;
   transfer(path.differential, path.ray.direction, hit->t, triangle.geometric);
-  // What the light sees first may be another stratum's, or nothing that photons start on.
-  const bool target = world.surfaces[triangle.material].specular > 0 &&
-                      triangle.meniscus == (stratum.stream == shared::STREAM_TARGETED);
-  if (target) start.end = shared::END_CUT;
+  // What the light sees first may be nothing that photons start on.
+  if (world.surfaces[triangle.material].specular == 0) return start;
+  start.map = triangle.meniscus ? shared::MAP_TARGETED : shared::MAP_CAUSTIC;
+  start.end = shared::END_CUT;
   return start;
+}
+
+Start start_photon(const Tracer& tracer, const shared::Beam& beam, const shared::RandomKey& key,
+                   const glm::dvec3& shift) {
+  const shared::uvec2 bits = shared::start_bits(key, beam.start, beam.extent);
+  const shared::vec2 place(shared::unit_float(bits.x), shared::unit_float(bits.y));
+  const double area = double(beam.power) * double(shared::window_weight(place, beam.own, beam.own_fade) -
+                                                  shared::window_weight(place, beam.finer, beam.finer_fade));
+  return beam.in_view ? start_in_view(tracer, beam, area, bits, key, shift)
+                      : start_on_target(tracer, beam, area, bits, key, shift);
 }
 
 }  // namespace
 
-Photon trace_photon(const Tracer& tracer, const Stratum& stratum, const PhotonSettings& settings, std::uint32_t index,
+Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::uint32_t pass, std::uint32_t index,
                     const Perturbation& perturbation) {
   const World& world = tracer.world();
-  const shared::RandomKey key{settings.seed, settings.pass, stratum.stream, index};
+  const auto beam = std::find_if(settings.beams.rbegin(), settings.beams.rend(),
+                                 [&](const shared::Beam& b) { return b.first <= index; });
+  const auto stream = shared::STREAM_BEAM + static_cast<std::uint32_t>(settings.beams.rend() - beam) - 1;
+  const shared::RandomKey key{settings.seed, pass, stream, index - beam->first};
   const auto decide = [&](std::uint32_t dimension) {
     return double(shared::random_unit(key, dimension)) + perturbation.roulette;
   };
 
-  auto [path, hit, end] = stratum.view ? start_in_view(tracer, stratum, settings.started, key, perturbation.start)
-                                       : start_on_target(tracer, stratum, settings.started, key, perturbation.start);
-  Photon photon{hit.point, {}, path.throughput, path.throughput, end};
+  auto [path, hit, map, end] = start_photon(tracer, *beam, key, perturbation.start);
+  Photon photon{map, hit.point, {}, path.throughput, path.throughput, end};
   for (std::uint32_t bounce = 0; bounce <= settings.specular_bounces && photon.end == shared::END_CUT; ++bounce) {
     const std::uint32_t dimension = shared::DIM_FIRST_BOUNCE + shared::BOUNCE_DIMENSIONS * bounce;
     const WorldTriangle& triangle = world.triangles[hit.triangle];
     if (decide(dimension) >= double(world.surfaces[triangle.material].specular)) {
       const bool arrived_in_front = glm::dot(triangle.geometric, path.ray.direction) < 0;
+      const Discs discs = pass_discs(settings.discs, pass);
       photon.position = hit.point;
       photon.disc = make_footprint(path.differential, arrived_in_front ? triangle.geometric : -triangle.geometric,
-                                   settings.discs.reach, settings.discs.narrowest, settings.discs.widest);
+                                   discs.shrink * double(beam->reach), discs.narrowest, discs.widest);
       // Scattered diffusely by its own target: it has met no specular surface and is direct light.
       photon.end = bounce > 0 ? hit.triangle : shared::END_DROPPED;
       break;

@@ -1,6 +1,7 @@
 // Who computes a pass: the GPU or the reference path. Both answer alike, photon by photon.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace meniscal {
 
-// How the photons of one stratum ended in one or more passes. Fluxes are means over the colour channels.
+// How the photons of one map ended in one or more passes. Fluxes are means over the colour channels.
 struct Tally {
   std::uint64_t started = 0, kept = 0, visible = 0, stored = 0;  // kept: met a target
   double flux_in = 0, flux_escaped = 0, flux_cut = 0;
@@ -36,9 +37,12 @@ struct Tally {
   void add(const Tally& other) {
     started += other.started, kept += other.kept, visible += other.visible, stored += other.stored;
     flux_in += other.flux_in, flux_escaped += other.flux_escaped, flux_cut += other.flux_cut;
+    flux_landed.resize(other.flux_landed.size());
     for (std::size_t i = 0; i < flux_landed.size(); ++i) flux_landed[i] += other.flux_landed[i];
   }
 };
+
+using Tallies = std::array<Tally, shared::MAPS>;  // by map
 
 template <class Colour>
 double mean_of(const Colour& c) {
@@ -48,21 +52,25 @@ double mean_of(const Colour& c) {
 // One pass, as both backends give it.
 struct PassResult {
   std::vector<shared::PixelSample> samples;  // of the crop, row by row
-  std::vector<Tally> tallies;                // by stratum
+  Tallies tallies;
 };
 
 // The end of a started photon.
 struct PhotonEnd {
+  std::uint32_t map, end;
   glm::dvec3 position, flux;
-  std::uint32_t end;
 };
 
 class Backend {
  public:
   virtual ~Backend() = default;
   virtual PassResult render_pass(std::uint32_t pass) = 0;
-  // Ends of all photons that a stratum starts in a pass: for replaying them elsewhere.
-  virtual std::vector<PhotonEnd> trace_photons(std::size_t stratum, std::uint32_t pass) = 0;
+  // The parts of a pass alone: ends of all its photons, and samples without the maps' light.
+  virtual std::vector<PhotonEnd> trace_photons(std::uint32_t pass) = 0;
+  virtual std::vector<shared::PixelSample> trace_camera(std::uint32_t pass) = 0;
+
+  // Other settings from now on, of no more pixels than those before; round discs stay round.
+  virtual void configure(const RenderSettings& settings) = 0;
 
   struct Statistics {
     std::string device_name, device_type, driver;

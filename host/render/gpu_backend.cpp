@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 
 #include "host/passes/camera.h"
@@ -13,12 +14,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::size_t most_photons(const RenderSettings& settings) {
-  return settings.photons.empty() ? 0 : *std::max_element(settings.photons.begin(), settings.photons.end());
-}
+// Photons in the buffers at once: a pass of more takes them in turns, so that memory stays bounded.
+constexpr std::uint32_t most_at_once = 1u << 21;
+
+std::uint32_t photons_at_once(const RenderSettings& settings) { return std::min(settings.photons(), most_at_once); }
 
 // Everything that photon maps need; not made for a scene without specular surfaces or lights.
 struct MapPasses {
+  std::uint32_t capacity;
   passes::PhotonBuffers photons;
   passes::PhotonPass trace;
   passes::SortPass sort;
@@ -26,17 +29,17 @@ struct MapPasses {
   passes::GatherPass gather;
 
   MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
-            const RenderSettings& settings)
-      : MapPasses(device, tables, tiles, most_photons(settings), settings.discs) {}
+            const World& world, const RenderSettings& settings)
+      : MapPasses(device, tables, tiles, photons_at_once(settings), most_beams(world), settings.discs) {}
 
  private:
   MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
-            std::size_t capacity, const Discs& discs)
-      : photons(device, capacity),
-        trace(device, tables, photons, !discs.round()),
+            std::uint32_t at_once, std::size_t beams, const Discs& discs)
+      : capacity(at_once),
+        photons(device, capacity),
+        trace(device, tables, photons, beams, !discs.round()),
         sort(device, photons.keys, capacity),
-        cells(device, photons, sort, capacity, passes::make_grid(static_cast<std::uint32_t>(capacity), discs).cells(),
-              tables.texel),
+        cells(device, photons, sort, capacity, passes::most_cells, tables.texel),
         gather(device, cells, tiles, tables.texel) {}
 };
 
@@ -59,10 +62,10 @@ struct GpuBackend::Passes {
         world(w),
         settings(std::move(s)),
         commands(device),
-        tables(device, world, 3 * most_photons(settings), allow_texel),
+        tables(device, world, 3 * photons_at_once(settings), allow_texel),
         tiles(passes::make_tiles(device, settings.crop.pixels())),
         camera(device, tables, tiles) {
-    if (most_photons(settings) > 0) maps.emplace(device, tables, tiles, settings);
+    if (photons_at_once(settings) > 0) maps.emplace(device, tables, tiles, world, settings);
     compile_seconds = seconds_since(start) - upload_seconds;
   }
 
@@ -74,14 +77,40 @@ struct GpuBackend::Passes {
     return sums;
   }
 
-  Tally tally(std::size_t stratum) const {
-    const std::uint32_t started = settings.photons[stratum];
-    Tally tally;
-    tally.flux_landed.resize(world.surfaces.size());
-    for (const shared::PhotonEnd& p : maps->photons.ends.download<shared::PhotonEnd>(0, started))
-      tally.count(double(p.entered), mean_of(p.flux), p.end,
-                  [&](std::uint32_t triangle) { return world.triangles[triangle].material; });
-    return tally;
+  std::vector<shared::PixelSample> samples() const {
+    std::vector<shared::PixelSample> all;
+    for (const passes::PixelTile& tile : tiles) {
+      const std::size_t left = settings.crop.pixels() - all.size();
+      const auto part = tile.samples.download<shared::PixelSample>(0, std::min<std::size_t>(tile.count, left));
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }
+
+  // Calls done(ends) for the photons of a pass, as many at a time as fit, with their grid.
+  template <class Done>
+  void trace(std::uint32_t pass, const Done& done) {
+    const std::uint32_t photons = maps ? settings.photons() : 0;
+    for (std::uint32_t first = 0, count = 0; first < photons; first += count) {
+      count = std::min(maps->capacity, photons - first);
+      const passes::Grid grid = passes::make_grid(count, pass_discs(settings.discs, pass));
+      maps->trace.run(commands, world, settings, pass, first, count, grid);
+      done(count, grid);
+    }
+  }
+
+  std::vector<PhotonEnd> ends(std::uint32_t count) const {
+    std::vector<PhotonEnd> ends;
+    ends.reserve(count);
+    for (const shared::PhotonEnd& e : maps->photons.ends.download<shared::PhotonEnd>(0, count))
+      ends.push_back({std::signbit(e.flux.x), e.end, glm::dvec3(e.position), glm::abs(glm::dvec3(e.flux))});
+    return ends;
+  }
+
+  void tally(Tallies& tallies, std::uint32_t count) const {
+    for (const shared::PhotonEnd& p : maps->photons.ends.download<shared::PhotonEnd>(0, count))
+      tallies[std::signbit(p.flux.x)].count(double(p.entered), mean_of(glm::abs(p.flux)), p.end,
+                                            [&](std::uint32_t triangle) { return world.triangles[triangle].material; });
   }
 };
 
@@ -93,35 +122,33 @@ PassResult GpuBackend::render_pass(std::uint32_t pass) {
   Passes& p = *passes_;
   p.camera.run(p.commands, p.world, p.settings, pass);
   PassResult result;
-  for (std::size_t s = 0; s < p.settings.photons.size(); ++s) {
-    const std::uint32_t count = p.settings.photons[s];
-    result.tallies.emplace_back().flux_landed.resize(p.world.surfaces.size());
-    if (count == 0) continue;
-    const passes::Grid grid = passes::make_grid(count, pass_discs(p.settings.discs, pass));
-    p.maps->trace.run(p.commands, p.world, p.settings, s, pass, grid);
+  for (Tally& t : result.tallies) t.flux_landed.resize(p.world.surfaces.size());
+  p.trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
     p.maps->sort.record(p.commands, count, grid.digits);
     p.maps->cells.record(p.commands, count, grid.digits);
-    p.maps->gather.run(p.commands, grid, p.world.strata[s].stream);
-    result.tallies.back() = p.tally(s);
-  }
+    p.maps->gather.run(p.commands, grid);
+    p.tally(result.tallies, count);
+  });
   p.tables.collect_counters();
-  for (const passes::PixelTile& tile : p.tiles) {
-    const auto samples = tile.samples.download<shared::PixelSample>();
-    result.samples.insert(result.samples.end(), samples.begin(), samples.end());
-  }
+  result.samples = p.samples();
   return result;
 }
 
-std::vector<PhotonEnd> GpuBackend::trace_photons(std::size_t stratum, std::uint32_t pass) {
-  Passes& p = *passes_;
-  const std::uint32_t count = p.settings.photons[stratum];
-  p.maps->trace.run(p.commands, p.world, p.settings, stratum, pass,
-                    passes::make_grid(count, pass_discs(p.settings.discs, pass)));
-  std::vector<PhotonEnd> ends;
-  for (const shared::PhotonEnd& e : p.maps->photons.ends.download<shared::PhotonEnd>(0, count))
-    ends.push_back({glm::dvec3(e.position), glm::dvec3(e.flux), e.end});
-  return ends;
+std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
+  std::vector<PhotonEnd> all;
+  passes_->trace(pass, [&](std::uint32_t count, const passes::Grid&) {
+    const std::vector<PhotonEnd> ends = passes_->ends(count);
+    all.insert(all.end(), ends.begin(), ends.end());
+  });
+  return all;
 }
+
+std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass) {
+  passes_->camera.run(passes_->commands, passes_->world, passes_->settings, pass);
+  return passes_->samples();
+}
+
+void GpuBackend::configure(const RenderSettings& settings) { passes_->settings = settings; }
 
 Backend::Statistics GpuBackend::statistics() const {
   const Passes& p = *passes_;

@@ -16,7 +16,9 @@ class GpuBackend final : public Backend {
   ~GpuBackend() override;
 
   PassResult render_pass(std::uint32_t pass) override;
-  std::vector<PhotonEnd> trace_photons(std::size_t stratum, std::uint32_t pass) override;
+  std::vector<PhotonEnd> trace_photons(std::uint32_t pass) override;
+  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass) override;
+  void configure(const RenderSettings& settings) override;
   Statistics statistics() const override;
 
  private:

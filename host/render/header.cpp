@@ -29,11 +29,9 @@ void describe(Image& image, const Scene& scene, const RenderSettings& settings, 
   image.text["meniscusModel"] = model == MeniscusModel::none ? "none" : "paper";
   image.text["passRange"] = std::to_string(run.passes.first) + ":" + std::to_string(run.passes.last);
   image.numbers["seed"] = settings.seed;
-  double photons = 0;
-  for (std::uint32_t n : settings.photons) photons += n;
-  image.numbers["photonsPerPass"] = photons;
+  image.numbers["photonsPerPass"] = settings.photons();
   image.numbers["specularBounces"] = settings.specular_bounces;
-  if (!settings.photons.empty()) image.numbers["radius"] = settings.discs.radius();
+  if (!settings.beams.empty()) image.numbers["radius"] = disc_radius(settings, 0);
   image.numbers["renderTime"] = render_seconds;
 
   glm::dmat4 to_world = settings.camera.pose;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <limits>
 
 namespace meniscal {
 namespace {
@@ -60,31 +59,13 @@ Plan make_plan(const World& world) {
   return plan;
 }
 
-std::vector<std::uint32_t> photon_budget(const World& world, std::uint32_t photons) {
-  double total = 0;
-  for (const Stratum& s : world.strata) total += std::sqrt(s.area);
-  std::vector<std::uint32_t> budget;
-  for (const Stratum& s : world.strata) {
-    const double share = 0.5 * (std::sqrt(s.area) / total + 1.0 / double(world.strata.size()));
-    budget.push_back(world.lights.empty() ? 0 : static_cast<std::uint32_t>(photons * share));
-  }
-  return budget;
-}
-
-Discs default_discs(const World& world, const std::vector<std::uint32_t>& photons, double footprint) {
-  // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds; discs of fewer
-  // spacings are noisy, and the stratum whose starts are furthest apart puts up with half as many.
-  constexpr double narrowest = 0.85, fine_spacings = 4, coarse_spacings = 2, most_pixels = 27;
-  double finest = std::numeric_limits<double>::infinity(), coarsest = footprint;
-  for (std::size_t i = 0; i < world.strata.size(); ++i) {
-    const Stratum& s = world.strata[i];
-    const double spacing = std::sqrt(s.start_area() / std::max(photons[i], 1u));
-    finest = std::min(finest, spacing);
-    coarsest = i == 0 ? spacing : std::max(coarsest, spacing);
-  }
-  const double reach = std::max(fine_spacings * std::min(finest, coarsest), coarse_spacings * coarsest);
+Discs default_discs(const std::vector<shared::Beam>& beams, double footprint) {
+  // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds.
+  constexpr double narrowest = 0.85, most_pixels = 27;
+  double reach = 0;
+  for (const shared::Beam& b : beams) reach = std::max(reach, double(b.reach));
   // The grid's levels span a factor of 128 between the narrowest and the widest.
-  return {reach, std::max(narrowest * footprint, reach / 100), std::max(most_pixels * footprint, reach)};
+  return {std::max(narrowest * footprint, reach / 100), std::max(most_pixels * footprint, reach)};
 }
 
 }  // namespace meniscal

@@ -2,16 +2,13 @@
 
 namespace meniscal {
 
-std::vector<Tally> render_passes(Backend& backend, const PassRange& passes, Film& film,
-                                 const std::function<bool(std::uint32_t)>& after_pass) {
-  std::vector<Tally> tallies;
+Tallies render_passes(Backend& backend, const PassRange& passes, Film& film,
+                      const std::function<bool(std::uint32_t)>& after_pass) {
+  Tallies tallies;
   for (std::uint32_t pass = passes.first; pass < passes.last; ++pass) {
     const PassResult result = backend.render_pass(pass);
     film.add(result.samples);
-    if (tallies.empty())
-      tallies = result.tallies;
-    else
-      for (std::size_t s = 0; s < tallies.size(); ++s) tallies[s].add(result.tallies[s]);
+    for (std::size_t s = 0; s < tallies.size(); ++s) tallies[s].add(result.tallies[s]);
     if (!after_pass(pass - passes.first + 1)) break;
   }
   return tallies;

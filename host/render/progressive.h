@@ -13,8 +13,8 @@ struct PassRange {
 };
 
 // Renders the passes in order. `after_pass` hears how many are done; it returns false to stop there. Gives the sum of
-// all passes' tallies, by stratum.
-std::vector<Tally> render_passes(Backend& backend, const PassRange& passes, Film& film,
-                                 const std::function<bool(std::uint32_t)>& after_pass);
+// all passes' tallies.
+Tallies render_passes(Backend& backend, const PassRange& passes, Film& film,
+                      const std::function<bool(std::uint32_t)>& after_pass);
 
 }  // namespace meniscal

@@ -20,6 +20,13 @@ CameraAxes camera_axes(const Camera& camera, std::uint32_t width, std::uint32_t 
   return {half_width * right, half_height * up, -back, origin};
 }
 
+double disc_radius(const RenderSettings& settings, std::uint32_t pass) {
+  const Discs discs = pass_discs(settings.discs, pass);
+  double reach = discs.widest;
+  for (const shared::Beam& b : settings.beams) reach = std::min(reach, discs.shrink * double(b.reach));
+  return std::clamp(reach, discs.narrowest, discs.widest);
+}
+
 namespace {
 
 // Distance along a ray to the nearest diffuse triangle; infinite where there is none. Refraction is left out: it is a

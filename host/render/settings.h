@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/render/beams.h"
 #include "host/scene/scene.h"
-#include "host/world/world.h"
 
 namespace meniscal {
 
@@ -18,14 +18,13 @@ struct Crop {
   std::size_t pixels() const { return std::size_t(width()) * height(); }
 };
 
-// The discs over which photons spread. Half-widths follow the photon's differentials: `reach` on a plane that light
-// reaches unbent, and carried with the light to where the photon landed, within [narrowest, widest]. With narrowest =
-// widest all discs are round and of that radius. One reach for all strata: where two meet, what one spreads across the
-// border the other spreads back.
+// The discs over which photons spread. Half-widths follow the photon's differentials: its beam's reach on a plane that
+// light reaches unbent, and carried with the light to where the photon landed, within [narrowest, widest]. With
+// narrowest = widest all discs are round and of that radius.
 struct Discs {
-  double reach = 0, narrowest = 0, widest = 0;  // m
+  double narrowest = 0, widest = 0;  // m
+  double shrink = 1;                 // of the beams' reaches
   bool round() const { return narrowest == widest; }
-  double radius() const { return std::clamp(reach, narrowest, widest); }  // of what is neither focused nor spread
 };
 
 // Discs of a pass, from those of pass 0; they shrink so that the mean over the passes converges to the truth. Round
@@ -38,10 +37,10 @@ inline Discs pass_discs(const Discs& first, std::uint32_t pass) {
     // The product in closed form: Gamma(i + 1 + a) / (Gamma(1 + a) Gamma(i + 2)).
     const double radius =
         first.narrowest * std::exp(0.5 * (std::lgamma(i + 1 + a) - std::lgamma(1 + a) - std::lgamma(i + 2)));
-    return {radius, radius, radius};
+    return {radius, radius};
   }
   const double shrink = std::pow(i + 1, -0.25);
-  return {shrink * first.reach, shrink * first.narrowest, shrink * first.widest};
+  return {shrink * first.narrowest, shrink * first.widest, shrink};
 }
 
 struct RenderSettings {
@@ -49,11 +48,16 @@ struct RenderSettings {
   std::uint32_t width = 640, height = 480;
   Crop crop{0, 0, 640, 480};
   Camera camera;
-  std::vector<std::uint32_t> photons;  // started per pass, by stratum of the world
-  Discs discs;                         // of pass 0
-  double footprint = 0;                // side of a pixel on what is seen, m
+  std::vector<shared::Beam> beams;  // of photons, in order of their first ones; none: no photons
+  Discs discs;                      // of pass 0
+  double footprint = 0;             // side of a pixel on what is seen, m
   std::uint32_t specular_bounces = 8;
+
+  std::uint32_t photons() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }  // per pass
 };
+
+// Radius in a pass of the finest beam's discs where light is neither focused nor spread, m.
+double disc_radius(const RenderSettings& settings, std::uint32_t pass);
 
 // How much of a pixel's side camera rays are spread over in a pass, in [0, 1]. Discs average over a part of the pixel
 // already: variance w^2 / 8 of a disc of half-width w, and that of the spread, 1/12 of its square, make up a pixel's

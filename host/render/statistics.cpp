@@ -58,13 +58,13 @@ Json tally_json(const World& world, const Tally& t, std::uint32_t passes) {
 Json photons_json(const World& world, const RunStatistics& run, std::uint32_t passes) {
   Json maps = Json::object();
   std::uint64_t started = 0, stored = 0;
-  for (std::size_t i = 0; i < run.tallies.size(); ++i) {
-    maps[world.strata[i].name] = tally_json(world, run.tallies[i], passes);
-    started += run.tallies[i].started;
-    stored += run.tallies[i].stored;
+  const char* names[shared::MAPS] = {"targeted", "caustic"};
+  for (std::size_t map = 0; map < shared::MAPS; ++map) {
+    maps[names[map]] = tally_json(world, run.tallies[map], passes);
+    started += run.tallies[map].started;
+    stored += run.tallies[map].stored;
   }
-  for (const char* map : {"targeted", "caustic", "global"})  // always all of them: scripts read these
-    if (!maps.contains(map)) maps[map] = tally_json(world, Tally{}, 0);
+  maps["global"] = tally_json(world, Tally{}, 0);  // always there: scripts read it
   Json photons = {{"started", started}, {"stored", stored}};
   photons.update(maps);
   return photons;
@@ -72,8 +72,8 @@ Json photons_json(const World& world, const RunStatistics& run, std::uint32_t pa
 
 // Radius of the discs of what is neither focused nor spread, in the first and the last pass.
 Json radius_json(const RenderSettings& settings, const PassRange& passes) {
-  if (settings.photons.empty() || passes.last == passes.first) return Json::array();
-  return {pass_discs(settings.discs, passes.first).radius(), pass_discs(settings.discs, passes.last - 1).radius()};
+  if (settings.beams.empty() || passes.last == passes.first) return Json::array();
+  return {disc_radius(settings, passes.first), disc_radius(settings, passes.last - 1)};
 }
 
 std::size_t host_peak_bytes() {

@@ -12,7 +12,7 @@ namespace meniscal {
 
 struct RunStatistics {
   Backend::Statistics backend;
-  std::vector<Tally> tallies;             // sums over the passes, by stratum of the world
+  Tallies tallies;                        // sums over the passes
   PassRange passes;                       // that were rendered
   double error_estimate = -1;             // negative: unknown
   std::map<std::string, double> seconds;  // of the host's stages: load, write, total

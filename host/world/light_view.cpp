@@ -4,30 +4,44 @@
 #include <limits>
 
 namespace meniscal {
+namespace {
 
-std::optional<LightView> find_light_view(const World& world, const Stratum& stratum) {
-  if (world.lights.size() != 1 || world.lights[0].type != shared::LIGHT_DIRECTIONAL) return std::nullopt;
-  const glm::dvec3 along = glm::normalize(glm::dvec3(world.lights[0].direction));
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Bounds of the corners of targets first .. first + count along two axes.
+glm::dvec4 bounds(const World& world, std::uint32_t first, std::size_t count, const glm::dvec3& u,
+                  const glm::dvec3& v) {
+  glm::dvec4 box(infinity, infinity, -infinity, -infinity);
+  for (std::size_t i = first; i < first + count; ++i)
+    for (const glm::dvec3& c : world.triangles[world.targets[i]].corner) {
+      const glm::dvec2 p(glm::dot(c, u), glm::dot(c, v));
+      box = {glm::min(glm::dvec2(box), p), glm::max(glm::dvec2(box.z, box.w), p)};
+    }
+  return box;
+}
+
+}  // namespace
+
+std::optional<LightView> find_light_view(const World& world, const shared::Light& light) {
+  if (light.type != shared::LIGHT_DIRECTIONAL || world.targets.empty()) return std::nullopt;
+  const glm::dvec3 along = glm::normalize(glm::dvec3(light.direction));
   const glm::dvec3 u =
       glm::normalize(std::abs(along.x) > 0.6 ? glm::dvec3(along.z, 0, -along.x) : glm::dvec3(0, -along.z, along.y));
   const glm::dvec3 v = glm::cross(along, u);
-  glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
   double seen = 0;  // area of the targets in projection
-  for (std::uint32_t i = stratum.first; i < stratum.first + stratum.count; ++i) {
-    const WorldTriangle& t = world.triangles[world.targets[i]];
-    seen += t.area * std::abs(glm::dot(t.geometric, along));
-    for (const glm::dvec3& c : t.corner) {
-      const glm::dvec2 p(glm::dot(c, u), glm::dot(c, v));
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-  }
+  for (std::uint32_t i : world.targets)
+    seen += world.triangles[i].area * std::abs(glm::dot(world.triangles[i].geometric, along));
   // A margin of float's rounding at the scene's size, so that no edge is lost.
-  const double margin = 1e-6 * world.radius;
-  low -= margin, high += margin;
-  const glm::dvec2 size = high - low;
+  const glm::dvec4 box = bounds(world, 0, world.targets.size(), u, v) + 1e-6 * world.radius * glm::dvec4(-1, -1, 1, 1);
+  const glm::dvec2 size(box.z - box.x, box.w - box.y);
   if (seen < 0.25 * size.x * size.y) return std::nullopt;
-  return LightView{low.x * u + low.y * v - 1.01 * world.radius * along, size.x * u, size.y * v, size.x * size.y};
+  return LightView{box.x * u + box.y * v - 1.01 * world.radius * along, size.x * u, size.y * v, size.x * size.y};
+}
+
+glm::dvec4 bounds_in(const LightView& view, const World& world, const Stratum& stratum) {
+  const glm::dvec3 u = view.u / glm::dot(view.u, view.u), v = view.v / glm::dot(view.v, view.v);
+  const glm::dvec2 corner(glm::dot(view.corner, u), glm::dot(view.corner, v));
+  return bounds(world, stratum.first, stratum.count, u, v) - glm::dvec4(corner, corner);
 }
 
 }  // namespace meniscal

@@ -106,19 +106,21 @@ void build_hierarchy(World& world) {
   world.bvh_seconds = seconds_since(start);
 }
 
-// Appends cumulative probabilities in units of 2^-32; the last one is 2^32 - 1, so that every number finds an entry.
+// Appends cumulative probabilities in units of 2^-32; from the last entry with a weight on they are 2^32 - 1, so that
+// every number finds an entry that has one.
 template <class Weight>
-void append_cdf(std::vector<std::uint32_t>& cdf, std::size_t count, double total, Weight weight) {
-  double sum = 0;
+void append_cdf(std::vector<std::uint32_t>& cdf, std::size_t count, Weight weight) {
+  double sum = 0, total = 0;
+  for (std::size_t i = 0; i < count; ++i) total += weight(i);
   for (std::size_t i = 0; i < count; ++i) {
     sum += weight(i);
-    cdf.push_back(i + 1 == count ? 0xFFFFFFFFu : static_cast<std::uint32_t>(std::min(sum / total, 1.0) * 4294967295.0));
+    cdf.push_back(sum >= total ? 0xFFFFFFFFu : static_cast<std::uint32_t>(sum / total * 4294967295.0));
   }
 }
 
 void build_strata(World& world) {
-  Stratum targeted{.name = "targeted", .stream = shared::STREAM_TARGETED};
-  Stratum caustic{.name = "caustic", .stream = shared::STREAM_CAUSTIC};
+  Stratum targeted{.name = "targeted", .map = shared::MAP_TARGETED};
+  Stratum caustic{.name = "caustic", .map = shared::MAP_CAUSTIC};
   for (Stratum* s : {&targeted, &caustic}) {
     s->first = static_cast<std::uint32_t>(world.targets.size());
     for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
@@ -128,12 +130,15 @@ void build_strata(World& world) {
       s->area += t.area;
     }
     s->count = static_cast<std::uint32_t>(world.targets.size()) - s->first;
-    append_cdf(world.cdf, s->count, s->area,
-               [&](std::size_t i) { return world.triangles[world.targets[s->first + i]].area; });
+    append_cdf(world.cdf, s->count, [&](std::size_t i) { return world.triangles[world.targets[s->first + i]].area; });
     if (s->count > 0) world.strata.push_back(*s);
   }
   world.light_first = static_cast<std::uint32_t>(world.cdf.size());
-  append_cdf(world.cdf, world.lights.size(), 1.0, [&](std::size_t i) { return double(world.lights[i].probability); });
+  for (const shared::Light& light : world.lights) world.views.push_back(find_light_view(world, light));
+  const auto power = [&](std::size_t i) { return double(world.lights[i].probability); };
+  append_cdf(world.cdf, world.lights.size(), power);
+  world.near_first = static_cast<std::uint32_t>(world.cdf.size());
+  append_cdf(world.cdf, world.lights.size(), [&](std::size_t i) { return world.views[i] ? 0 : power(i); });
 }
 
 // Surfaces by material; a material of closed and of open meshes gets a second one, since only the closed ones refract.
@@ -201,7 +206,6 @@ World build_world(const Scene& scene, MeniscusModel model) {
   build_hierarchy(world);
   world.lights = make_lights(scene, world.triangles, world.surfaces, world.radius);
   build_strata(world);
-  for (Stratum& s : world.strata) s.view = find_light_view(world, s);
   return world;
 }
 

@@ -33,15 +33,12 @@ struct LightView {
   double area;              // m2
 };
 
-// Triangles on which photons start, uniformly by area.
+// Triangles on which photons of one map start.
 struct Stratum {
   std::string name;                    // "targeted", "caustic"
-  std::uint32_t stream;                // shared::STREAM_*
+  std::uint32_t map;                   // shared::MAP_*
   std::uint32_t first = 0, count = 0;  // range in World::targets and World::cdf
   double area = 0;                     // m2
-  std::optional<LightView> view{};     // photons start in it instead of by area
-
-  double start_area() const { return view ? view->area : area; }  // over which starts are even, m2
 };
 
 // What building a liquid's menisci gave, for `info` and the statistics.
@@ -56,10 +53,12 @@ struct World {
   std::vector<std::string> material_names;
   std::vector<shared::Surface> surfaces;  // by material
   std::vector<shared::Light> lights;
-  std::vector<Stratum> strata;         // those that have triangles
-  std::vector<std::uint32_t> targets;  // triangles, by stratum
-  std::vector<std::uint32_t> cdf;      // of targets, then of lights: cumulative probability in units of 2^-32
-  std::uint32_t light_first = 0;       // where the lights' part of the CDF begins
+  std::vector<Stratum> strata;                  // those that have triangles
+  std::vector<std::uint32_t> targets;           // triangles, by stratum
+  std::vector<std::optional<LightView>> views;  // by light: photons of those that have one start there
+  std::vector<std::uint32_t> cdf;  // of targets, then twice of lights: cumulative probability in units of 2^-32
+  std::uint32_t light_first = 0;   // where the lights' part of the CDF begins
+  std::uint32_t near_first = 0;    // the same for lights without a view, the others left out
   Bvh bvh;
   double radius = 0;  // of a sphere round the local origin that holds everything
   std::vector<LiquidReport> liquids;

@@ -10,8 +10,8 @@ SHARED_BEGIN
 // FIRST_BOUNCE on.
 const uint DIM_LIGHT = 2u, DIM_LIGHT_U = 3u, DIM_LIGHT_V = 4u, DIM_FIRST_BOUNCE = 8u;
 const uint BOUNCE_DIMENSIONS = 2u;  // 0: specular or diffuse, 1: reflect or refract
-// What the numbers are drawn for: keeps photons of the strata and camera paths apart.
-const uint STREAM_TARGETED = 0u, STREAM_CAUSTIC = 1u, STREAM_CAMERA = 2u;
+// What the numbers are drawn for: keeps photons of each beam and camera paths apart.
+const uint STREAM_CAMERA = 0u, STREAM_BEAM = 1u;  // of the i-th beam: STREAM_BEAM + i
 
 // Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020: pcg4d.
 SHARED uvec4 pcg4d(uvec4 v) {

@@ -46,11 +46,37 @@ const uint END_ESCAPED = 0xFFFFFFF2u;  // left the scene
 const uint END_CUT = 0xFFFFFFF3u;      // more specular events than asked for
 const uint END_FIRST = 0xFFFFFFF0u;    // ends at and above this are no triangles
 
+// Which map a photon belongs to: by the first surface it meets, a meniscus or another specular one.
+const uint MAP_TARGETED = 0u, MAP_CAUSTIC = 1u, MAPS = 2u;
+
+// Photons that start alike: in a window of the square of starts, [0, 1)^2. The square is a distant light's view of all
+// targets, or (across: the CDF of a stratum's triangles; up: place on the triangle) the targets themselves. Windows lie
+// in each other; a start's weight is that of its window less that of the finer one within, so that together they sum to
+// 1 everywhere and cross-fade where one takes over from the other.
+struct Beam {
+  vec3 corner;  // of the light's view
+  uint first;   // photon of the pass
+  vec3 u;       // edges of the light's view, m
+  uint count;   // photons a pass
+  vec3 v;
+  uint in_view;         // 1: starts in a distant light's view, 0: on targets
+  uvec2 start, extent;  // of the window, in units of 2^-16
+  vec4 own, finer;      // windows: low x, low y, high x, high y
+  vec2 own_fade, finer_fade;  // width of their borders, over which the weight rises from 0 to 1
+  uint map;                   // MAP_* that it is meant for; in a light's view photons of the other come along
+  uint light;                 // of the view
+  uint light_first;           // starts on targets: range of the lights in the CDF
+  uint target_first, target_count;  // starts on targets: their range in the tables
+  float power;                      // area of the window / count, m2
+  float reach;                      // half-width of discs that light reaches unbent, m
+  float pad0;
+};
+
 // One slot per started photon; two streams of 32 bytes.
 struct PhotonEnd {
   vec3 position;  // where it was stored
   uint end;       // triangle it was stored on, or END_*
-  vec3 flux;      // W, or lm in photometric scenes
+  vec3 flux;      // W, or lm in photometric scenes; the sign bit of red is MAP_*
   float entered;  // flux as it met its target, mean over the channels
 };
 // Its footprint where it was stored: q2 = (alpha x)^2 + (beta x)^2 of an offset x from its position is below 1 inside
@@ -64,7 +90,7 @@ struct PhotonDisc {
 // As gathered: three texels of 16 bytes.
 struct GatheredPhoton {
   vec3 position;
-  float flux_r;
+  float flux_r;  // the sign bit is MAP_*
   vec3 alpha;
   float flux_g;
   vec3 beta;
@@ -92,15 +118,13 @@ struct PixelSample {
 };
 
 struct PhotonPush {
-  vec4 view_corner, view_u, view_v;        // the light's view to start in; view_corner.w: 1 where there is one
-  uint seed, pass, stream, first;          // first: photon index of invocation 0
-  uint count, target_first, target_count;  // count: photons of this dispatch; targets: their range in the tables
-  uint light_first, light_count;           // range of the lights in the CDF
-  float power_scale;                       // area of the stratum, or of the light's view, / photons started
-  float reach;                             // half-width of discs that light reaches unbent, m
-  float narrowest, widest;                 // bounds of a disc's half-widths, m; equal: all discs are round
-  uint cell_mask;                          // cells of one level of the hash grid - 1 (a power of two)
+  uint seed, pass, beams, light_count;  // light_count: of the scene
+  uint first, count;                    // photons of this dispatch
+  uint buffer_first;                    // photon that stands first in the buffers
   uint specular_bounces;
+  float shrink;             // of the beams' reaches in this pass
+  float narrowest, widest;  // bounds of a disc's half-widths, m; equal: all discs are round
+  uint cell_mask;           // cells of one level of the hash grid - 1 (a power of two)
 };
 
 struct CameraPush {
@@ -119,10 +143,9 @@ struct GatherPush {
   uint levels;
   uint cell_mask;
   uint pixels;
-  uint map;              // 0 targeted, 1 caustic
   uint first_candidate;  // candidates (photons in the cells around) tested by earlier rounds
   uint first_pixel;      // of invocation 0; up to `pixels`, one past the last
-  uint pad0;
+  uint pad0, pad1;
 };
 
 struct SortPush {

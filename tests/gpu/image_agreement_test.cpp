@@ -84,10 +84,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ImageAgreement, testing::Values("post", "shadow
 // A radius as wide as the scene: each pixel tests more photons than one dispatch may, in several rounds.
 TEST(Gather, RoundsAddUp) {
   REQUIRE_DEVICE();
-  RenderOptions options = test::small_options(400000, 5, 5);
+  RenderOptions options = test::small_options(1200000, 5, 5);
   options.radius = 0.02;
   const auto setup = test::make_setup("post", options);
-  setup->settings.photons = {200000, 1000};
   GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
   reference::ReferenceBackend cpu(setup->world, setup->settings);
   const auto a = samples_of(gpu, 0), b = samples_of(cpu, 0);

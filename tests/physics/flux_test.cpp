@@ -53,7 +53,6 @@ TEST_P(Flux, EnteringTheTargetedMapEqualsQuadrature) {
   const auto setup = test::make_setup(GetParam(), test::small_options(400000, 8, 8));
   const Stratum* targeted = test::find_stratum(setup->world, "targeted");
   ASSERT_NE(targeted, nullptr);
-  const auto stratum = static_cast<std::size_t>(targeted - setup->world.strata.data());
 
   const reference::Tracer tracer(setup->world);
   double expected = 0;
@@ -67,7 +66,7 @@ TEST_P(Flux, EnteringTheTargetedMapEqualsQuadrature) {
   constexpr int passes = 4;
   double sum = 0, squares = 0;
   for (int pass = 0; pass < passes; ++pass) {
-    const double flux = gpu.render_pass(pass).tallies[stratum].flux_in;
+    const double flux = gpu.render_pass(pass).tallies[shared::MAP_TARGETED].flux_in;
     sum += flux / passes;
     squares += flux * flux / passes;
   }

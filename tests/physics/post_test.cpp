@@ -11,7 +11,7 @@ constexpr double bin_mm = 0.05;
 
 struct Rings {
   std::vector<double> irradiance;  // mean over the samples of each 0.05 mm ring, relative to the light's
-  std::vector<Tally> tallies;      // sums over the passes
+  Tallies tallies;                 // sums over the passes
   double final_radius_mm = 0;
 };
 
@@ -27,13 +27,10 @@ Rings render_rings(const test::Setup& setup, std::uint32_t passes) {
       sums[bin] += double(s.direct.x + s.targeted.x + s.caustic.x);
       counts[bin] += 1;
     }
-    if (rings.tallies.empty())
-      rings.tallies = result.tallies;
-    else
-      for (std::size_t i = 0; i < rings.tallies.size(); ++i) rings.tallies[i].add(result.tallies[i]);
+    for (std::size_t i = 0; i < rings.tallies.size(); ++i) rings.tallies[i].add(result.tallies[i]);
   }
   for (std::size_t i = 0; i < sums.size(); ++i) rings.irradiance.push_back(counts[i] > 0 ? sums[i] / counts[i] : 0);
-  rings.final_radius_mm = 1e3 * pass_discs(setup.settings.discs, passes - 1).radius();
+  rings.final_radius_mm = 1e3 * disc_radius(setup.settings, passes - 1);
   return rings;
 }
 
@@ -101,9 +98,7 @@ TEST_P(Post, FloorAndFluxFollowTheTables) {
   EXPECT_LT(rms, 0.02);
 
   const std::string name = "paper" + c.column + " R2 H50 " + c.shape + " theta" + std::to_string(c.theta);
-  const Stratum* targeted = test::find_stratum(setup->world, "targeted");
-  ASSERT_NE(targeted, nullptr);
-  const Tally& tally = rings.tallies[static_cast<std::size_t>(targeted - setup->world.strata.data())];
+  const Tally& tally = rings.tallies[shared::MAP_TARGETED];
   const auto landed_mm2 = [&](const std::string& material) {
     double flux = 0;
     for (std::size_t i = 0; i < tally.flux_landed.size(); ++i)

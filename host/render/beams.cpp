@@ -1,0 +1,151 @@
+#include "host/render/beams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/world/light_view.h"
+
+namespace meniscal {
+namespace {
+
+// Lengths here are in units of the mean distance between starts.
+
+// Discs of fewer starts are noisy, wider ones blur; where the two balance was measured on the benchmark with 15,000 to
+// 1,000,000 photons.
+double fine_reach(std::uint32_t photons) { return std::clamp(3 * std::pow(photons / 30000.0, 0.2), 2.0, 8.0); }
+
+// Of a window that others lie in. The border is wide enough that discs of the two sizes disagree by 4 % at its ends at
+// the most: half of the fade's curvature, 6 / border^2, times a disc's variance, reach^2 / 8.
+constexpr double coarse_reach = 2.5, border = 8, unseen_border = 2;
+// The hash grid's levels are few: no disc is wider than so many of the narrowest beam's.
+constexpr float widest_reach = 8;
+
+}  // namespace
+
+double start_area(const World& world, const StartSet& set) {
+  return set.light ? world.views[*set.light]->area : world.strata[set.stratum].area;
+}
+
+std::vector<StartSet> default_starts(const World& world) {
+  std::vector<StartSet> sets;
+  const auto targeted = std::find_if(world.strata.begin(), world.strata.end(),
+                                     [](const Stratum& s) { return s.map == shared::MAP_TARGETED; });
+  for (std::uint32_t l = 0; l < world.lights.size(); ++l) {
+    if (!world.views[l]) continue;
+    StartSet set{l, 0, {StartWindow{}}};
+    if (targeted != world.strata.end() && world.strata.size() > 1) {
+      const glm::dvec4 menisci = bounds_in(*world.views[l], world, *targeted);
+      const StartWindow window{glm::max(glm::dvec2(menisci), 0.0), glm::min(glm::dvec2(menisci.z, menisci.w), 1.0)};
+      if (window.part() < 0.5) set.windows.push_back(window);
+    }
+    sets.push_back(set);
+  }
+  const bool near = std::any_of(world.views.begin(), world.views.end(), [](const auto& v) { return !v; });
+  for (std::uint32_t s = 0; near && s < world.strata.size(); ++s) sets.push_back({std::nullopt, s, {StartWindow{}}});
+
+  std::size_t windows = 0;
+  double roots = 0;
+  const auto root = [&](const StartSet& s, const StartWindow& w) { return std::sqrt(start_area(world, s) * w.part()); };
+  for (const StartSet& s : sets)
+    for (const StartWindow& w : s.windows) ++windows, roots += root(s, w);
+  for (StartSet& s : sets)
+    for (StartWindow& w : s.windows) w.share = 0.5 / double(windows) + 0.5 * root(s, w) / roots;
+  return sets;
+}
+
+namespace {
+
+constexpr glm::vec4 everywhere(-1, -1, 2, 2), nowhere(2, 2, 3, 3);
+
+// A window with the border over which it fades in. `core` is the part with all the weight.
+struct Bordered {
+  StartWindow core;
+  glm::dvec2 fade;
+  glm::dvec2 low() const { return core.low - fade; }
+  glm::dvec2 high() const { return core.high + fade; }
+  glm::vec4 box() const { return {low(), high()}; }
+};
+
+double spacing(double area, double part, std::uint32_t photons) {
+  return std::sqrt(area * part / std::max(photons, 1u));
+}
+
+// Windows of a set with their borders, each as wide as the spacing of the window around asks for, and each grown to
+// hold those within. Starts on triangles lie in the square in no order that a border could follow.
+std::vector<Bordered> add_borders(const World& world, const StartSet& set, const std::vector<std::uint32_t>& counts) {
+  std::vector<Bordered> windows;
+  for (const StartWindow& w : set.windows) windows.push_back({w, glm::dvec2(1e-6)});
+  for (std::size_t k = windows.size() - 1; k > 0; --k) {
+    StartWindow& around = windows[k - 1].core;
+    if (set.light) {
+      const LightView& view = *world.views[*set.light];
+      const bool seen = k > 1 || around.seen;
+      windows[k].fade = (seen ? border * spacing(view.area, around.part(), counts[k - 1])
+                              : unseen_border * spacing(view.area, windows[k].core.part(), counts[k])) /
+                        glm::dvec2(glm::length(view.u), glm::length(view.v));
+    }
+    if (k == 1) break;
+    around.low = glm::min(around.low, windows[k].low());
+    around.high = glm::max(around.high, windows[k].high());
+  }
+  return windows;
+}
+
+shared::Beam make_beam(const World& world, const StartSet& set) {
+  const Stratum& stratum = world.strata[set.stratum];
+  shared::Beam beam{};
+  beam.map = stratum.map;
+  beam.light_first = world.near_first;
+  beam.target_first = stratum.first;
+  beam.target_count = stratum.count;
+  if (set.light) {
+    const LightView& view = *world.views[*set.light];
+    beam.in_view = 1;
+    beam.light = *set.light;
+    beam.corner = view.corner, beam.u = view.u, beam.v = view.v;
+  }
+  return beam;
+}
+
+// The part of the square that holds a window, in whole units of 2^-16.
+void set_extent(shared::Beam& beam, const glm::dvec2& low, const glm::dvec2& high) {
+  const glm::dvec2 first = glm::floor(glm::clamp(low, 0.0, 1.0) * 65536.0);
+  beam.start = glm::min(first, 65535.0);
+  beam.extent = glm::max(glm::ceil(glm::clamp(high, 0.0, 1.0) * 65536.0) - glm::dvec2(beam.start), 1.0);
+}
+
+}  // namespace
+
+std::vector<shared::Beam> make_beams(const World& world, const std::vector<StartSet>& starts, std::uint32_t photons) {
+  std::vector<shared::Beam> beams;
+  std::uint32_t first = 0;
+  for (const StartSet& set : starts) {
+    std::vector<std::uint32_t> counts;
+    for (const StartWindow& w : set.windows)
+      counts.push_back(static_cast<std::uint32_t>(std::max(w.share * photons, 1.0)));
+    const std::vector<Bordered> windows = add_borders(world, set, counts);
+    for (std::size_t k = 0; k < windows.size(); ++k) {
+      shared::Beam beam = make_beam(world, set);
+      beam.first = first;
+      beam.count = counts[k];
+      first += counts[k];
+      set_extent(beam, windows[k].low(), windows[k].high());
+      beam.own = k == 0 ? everywhere : windows[k].box();
+      beam.own_fade = k == 0 ? glm::vec2(1) : glm::vec2(windows[k].fade);
+      const bool finest = k + 1 == windows.size();
+      beam.finer = finest ? nowhere : windows[k + 1].box();
+      beam.finer_fade = finest ? glm::vec2(1) : glm::vec2(windows[k + 1].fade);
+      const double part = double(beam.extent.x) * beam.extent.y / (65536.0 * 65536.0);
+      beam.power = static_cast<float>(start_area(world, set) * part / beam.count);
+      beam.reach = static_cast<float>((finest ? fine_reach(beam.count) : coarse_reach) * std::sqrt(double(beam.power)));
+      beams.push_back(beam);
+    }
+  }
+  float finest = std::numeric_limits<float>::infinity();
+  for (const shared::Beam& b : beams) finest = std::min(finest, b.reach);
+  for (shared::Beam& b : beams) b.reach = std::min(b.reach, widest_reach * finest);
+  return beams;
+}
+
+}  // namespace meniscal

@@ -1,0 +1,114 @@
+#include "host/render/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/render/seen.h"
+#include "shaders/shared/starts.h"
+
+namespace meniscal {
+namespace {
+
+constexpr std::uint32_t most_rays = 4096, photons_a_round = 4096, rounds = 2;
+constexpr std::uint32_t pilot_pass = 0x80000000;  // first of the passes whose random numbers the pilot takes
+// What is thought to be unseen still gets a share: rare paths are noisy then, but not lost.
+constexpr double unseen_share = 0.03;
+
+// The same view in fewer pixels.
+RenderSettings coarse(RenderSettings settings) {
+  const double factor = std::max(1.0, std::sqrt(double(settings.crop.pixels()) / most_rays));
+  const auto shrunk = [&](std::uint32_t pixels) { return static_cast<std::uint32_t>(pixels / factor); };
+  settings.width = std::max(shrunk(settings.width), 1u);
+  settings.height = std::max(shrunk(settings.height), 1u);
+  Crop& c = settings.crop;
+  c.x0 = std::min(shrunk(c.x0), settings.width - 1);
+  c.y0 = std::min(shrunk(c.y0), settings.height - 1);
+  c.x1 = std::clamp(shrunk(c.x1), c.x0 + 1, settings.width);
+  c.y1 = std::clamp(shrunk(c.y1), c.y0 + 1, settings.height);
+  return settings;
+}
+
+// Where in the square the photons started that were seen, and what they brought.
+struct Seen {
+  glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+  double flux = 0;
+
+  bool any() const { return flux > 0; }
+  void add(const glm::dvec2& place, double photon_flux) {
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+    flux += photon_flux;
+  }
+  // Widened by what may lie between the starts.
+  StartWindow window(const glm::dvec2& margin) const {
+    return {glm::max(low - margin, 0.0), glm::min(high + margin, 1.0)};
+  }
+};
+struct SeenSet {
+  Seen all, targeted;
+};
+
+// Adds the photons of a round to what is known of the sets that their beams belong to.
+void look(Backend& backend, RenderSettings& settings, const std::vector<std::size_t>& set_of_beam, std::uint32_t round,
+          const SeenCells& cells, std::vector<SeenSet>& seen) {
+  backend.configure(settings);
+  const std::vector<PhotonEnd> ends = backend.trace_photons(pilot_pass + round);
+  for (SeenSet& s : seen) s.all.flux = s.targeted.flux = 0;  // the finer look counts
+  for (std::uint32_t b = 0; b < settings.beams.size(); ++b) {
+    const shared::Beam& beam = settings.beams[b];
+    for (std::uint32_t i = 0; i < beam.count; ++i) {
+      const PhotonEnd& photon = ends[beam.first + i];
+      if (photon.end >= shared::END_FIRST || !cells.contains(photon.position)) continue;
+      const shared::RandomKey key{settings.seed, pilot_pass + round, shared::STREAM_BEAM + b, i};
+      const glm::dvec2 place = glm::dvec2(shared::start_bits(key, beam.start, beam.extent)) * 0x1p-32;
+      SeenSet& s = seen[set_of_beam[b]];
+      s.all.add(place, mean_of(photon.flux));
+      if (photon.map == shared::MAP_TARGETED) s.targeted.add(place, mean_of(photon.flux));
+    }
+  }
+}
+
+std::vector<std::size_t> sets_of_beams(const std::vector<StartSet>& sets) {
+  std::vector<std::size_t> set_of_beam;
+  for (std::size_t s = 0; s < sets.size(); ++s) set_of_beam.insert(set_of_beam.end(), sets[s].windows.size(), s);
+  return set_of_beam;
+}
+
+// Mean distance between the starts of a window, in the square.
+glm::dvec2 spacing(const StartWindow& window, double photons) {
+  return (window.high - window.low) / std::sqrt(std::max(photons, 1.0));
+}
+
+}  // namespace
+
+std::vector<StartSet> find_starts(Backend& backend, const World& world, const RenderSettings& settings) {
+  const std::vector<StartSet> whole = default_starts(world);
+  RenderSettings pilot = coarse(settings);
+  backend.configure(pilot);
+  const SeenCells cells(backend.trace_camera(pilot_pass), pilot.crop.width());
+  if (cells.empty() || whole.empty()) return whole;
+
+  std::vector<StartSet> sets = whole;
+  for (StartSet& s : sets) s.windows = {StartWindow{.share = 1.0 / double(sets.size())}};
+  std::vector<SeenSet> seen(sets.size());
+  for (std::uint32_t round = 0; round < rounds; ++round) {
+    pilot.beams = make_beams(world, sets, photons_a_round);
+    look(backend, pilot, sets_of_beams(sets), round, cells, seen);
+    const auto flux = [](const SeenSet& s) { return std::sqrt(s.all.flux); };
+    double total = 0;
+    for (const SeenSet& s : seen) total += flux(s);
+    if (!(total > 0)) return whole;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const StartWindow& last = sets[i].windows.back();
+      const StartWindow window = seen[i].all.window(1.5 * spacing(last, last.share * photons_a_round));
+      sets[i].windows = {StartWindow{.share = unseen_share / double(sets.size()), .seen = false}};
+      if (!seen[i].all.any()) continue;
+      sets[i].windows.push_back(window);
+      sets[i].windows.back().share = (1 - unseen_share) * flux(seen[i]) / total;
+    }
+  }
+  return sets;
+}
+
+}  // namespace meniscal

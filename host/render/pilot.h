@@ -1,0 +1,13 @@
+// A look ahead: which starts of photons the camera will see anything of.
+#pragma once
+
+#include "host/render/backend.h"
+
+namespace meniscal {
+
+// Traces some thousand camera rays and photons, and gives windows round the starts of those photons that landed where
+// the camera sees, with shares as the square roots of the flux that they brought there. Where nothing is seen:
+// default_starts. Deterministic. The backend has other settings afterwards.
+std::vector<StartSet> find_starts(Backend& backend, const World& world, const RenderSettings& settings);
+
+}  // namespace meniscal
