@@ -18,8 +18,12 @@ void main() {
   float py = 1.0 - 2.0 * (float(y) + inside.y) / float(push.height);
   vec3 offset = px * push.right.xyz + py * push.up.xyz;
   bool orthographic = push.origin.w != 0.0;
-  Path path = start_path(orthographic ? push.origin.xyz + offset : push.origin.xyz,
-                         normalize(orthographic ? push.forward.xyz : push.forward.xyz + offset), NO_TRIANGLE, vec3(1.0));
+  vec3 forward = orthographic ? push.forward.xyz : push.forward.xyz + offset;
+  Path path = start_path(orthographic ? push.origin.xyz + offset : push.origin.xyz, normalize(forward), NO_TRIANGLE, vec3(1.0));
+  if (HAS_DIFFERENTIALS) {
+    vec3 step0 = 2.0 / float(push.width) * push.right.xyz, step1 = -2.0 / float(push.height) * push.up.xyz;
+    path.differential = camera_differential(step0, step1, path.direction, length(forward), orthographic);
+  }
 
   PixelSample s = PixelSample(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), END_CUT, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0,
                               vec3(0.0), 0.0, vec3(0.0), 0.0);
@@ -37,6 +41,7 @@ void main() {
     if (hit.triangle == NO_TRIANGLE || k > push.specular_bounces) break;
     absorb(path, hit.t);
     SurfacePoint point = surface_point(hit.triangle, hit.u, hit.v);
+    if (HAS_DIFFERENTIALS) transfer(path.differential, path.direction, hit.t, point.geometric);
     Surface surface = surfaces[point.material];
     bool front = dot(point.geometric, path.direction) < 0.0;
     if (k == 0u) {
@@ -50,7 +55,9 @@ void main() {
       continue;
     }
     vec3 side = front ? point.geometric : -point.geometric;
-    s.position = point.position;
+    // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread to smooth edges.
+    vec3 shift = (0.5 - inside.x) * path.differential.place0 + (0.5 - inside.y) * path.differential.place1;
+    s.position = point.position + (HAS_DIFFERENTIALS && dot(shift, shift) < push.most_shift * push.most_shift ? shift : vec3(0.0));
     s.normal = side;
     s.albedo = surface.albedo;
     s.triangle = point.triangle;

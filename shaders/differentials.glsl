@@ -1,5 +1,5 @@
-// How a photon's place and direction change with where on its target it starts (Igehy 1999; Schjoth et al. 2007): derivatives along two
-// perpendicular directions in the target's facet, per metre.
+// How a path's place and direction change with where it starts (Igehy 1999; Schjoth et al. 2007): of a photon, along two perpendicular
+// directions in its target's facet, per metre; of a camera path, per pixel.
 struct Differential {
   vec3 place0, place1, direction0, direction1;
 };
@@ -10,6 +10,13 @@ vec3 tangent(vec3 n) { return normalize(abs(n.x) > 0.6 ? vec3(n.z, 0.0, -n.x) : 
 Differential start_differential(vec3 facet, vec3 direction, float distance) {
   vec3 u = tangent(facet), v = cross(facet, u);
   return Differential(u, v, (u - direction * dot(direction, u)) / distance, (v - direction * dot(direction, v)) / distance);
+}
+
+// Of a camera ray along `direction`, per pixel: `step0` and `step1` are a pixel's sides on the image plane, `distance` from the eye.
+Differential camera_differential(vec3 step0, vec3 step1, vec3 direction, float distance, bool orthographic) {
+  if (orthographic) return Differential(step0, step1, vec3(0.0), vec3(0.0));
+  return Differential(vec3(0.0), vec3(0.0), (step0 - direction * dot(direction, step0)) / distance,
+                      (step1 - direction * dot(direction, step1)) / distance);
 }
 
 vec3 reflect_derivative(vec3 dd, vec3 dn, vec3 direction, vec3 normal) {

@@ -6,11 +6,15 @@
 namespace meniscal::passes {
 namespace {
 
-gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables) {
+gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, bool differentials) {
   std::vector<gpu::Binding> layout = tables.layout();
   layout.push_back({BIND_OUTPUT, gpu::Kind::storage});
-  return {
-      device, "camera", shader("camera", tables.texel), layout, sizeof(shared::CameraPush), tables.constants(false)};
+  return {device,
+          "camera",
+          shader("camera", tables.texel),
+          layout,
+          sizeof(shared::CameraPush),
+          tables.constants(differentials)};
 }
 
 gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, const gpu::Buffer& samples) {
@@ -21,8 +25,9 @@ gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, co
 
 }  // namespace
 
-CameraPass::CameraPass(const gpu::Device& device, const SceneTables& tables, const std::vector<PixelTile>& tiles)
-    : pass_(make_pass(device, tables)), tiles_(tiles) {
+CameraPass::CameraPass(const gpu::Device& device, const SceneTables& tables, const std::vector<PixelTile>& tiles,
+                       bool differentials)
+    : pass_(make_pass(device, tables, differentials)), tiles_(tiles) {
   for (const PixelTile& tile : tiles) buffers_.push_back(bind(pass_, tables, tile.samples));
 }
 
@@ -43,7 +48,8 @@ void CameraPass::run(gpu::Commands& commands, const World& world, const RenderSe
   push.light_first = world.light_first;
   push.light_count = static_cast<std::uint32_t>(world.lights.size());
   push.specular_bounces = settings.specular_bounces;
-  push.jitter = static_cast<float>(pixel_jitter(settings, pass));
+  push.jitter = pixel_jitter(settings, pass);
+  push.most_shift = static_cast<float>(most_shift(settings));
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
     push.buffer_first = tiles_[t].first;
     if (tiles_[t].first >= settings.crop.pixels()) break;

@@ -11,7 +11,9 @@ namespace meniscal::passes {
 class CameraPass {
  public:
   // `tiles` must outlive the pass, which writes their samples.
-  CameraPass(const gpu::Device& device, const SceneTables& tables, const std::vector<PixelTile>& tiles);
+  // `differentials`: samples lie where pixels' centres see; else where their rays end.
+  CameraPass(const gpu::Device& device, const SceneTables& tables, const std::vector<PixelTile>& tiles,
+             bool differentials);
   void run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::uint32_t pass);
 
  private:

@@ -7,14 +7,27 @@
 namespace meniscal::reference {
 namespace {
 
-Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const shared::RandomKey& key, std::uint32_t x,
-                std::uint32_t y) {
-  const double jitter = pixel_jitter(settings, key.pass);
-  const double px = 2 * (x + 0.5 + jitter * (double(shared::random_unit(key, 0)) - 0.5)) / settings.width - 1;
-  const double py = 1 - 2 * (y + 0.5 + jitter * (double(shared::random_unit(key, 1)) - 0.5)) / settings.height;
-  const glm::dvec3 offset = px * axes.right + py * axes.up;
-  if (settings.camera.orthographic) return {{axes.origin + offset, axes.forward}};
-  return {{axes.origin, glm::normalize(axes.forward + offset)}};
+// Where in the pixel, from its centre, in pixels.
+glm::dvec2 pixel_offset(const RenderSettings& settings, const shared::RandomKey& key) {
+  return double(pixel_jitter(settings, key.pass)) *
+         (glm::dvec2(shared::random_unit(key, 0), shared::random_unit(key, 1)) - 0.5);
+}
+
+// `pixel`: from the image's upper left corner.
+Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const glm::dvec2& pixel) {
+  const glm::dvec3 step0 = 2.0 / settings.width * axes.right, step1 = -2.0 / settings.height * axes.up;
+  const glm::dvec3 offset = pixel.x * step0 - axes.right + pixel.y * step1 + axes.up;
+  Path path;
+  if (settings.camera.orthographic) {
+    path.ray = {axes.origin + offset, axes.forward};
+    path.differential.place = {step0, step1};
+    return path;
+  }
+  const glm::dvec3 forward = axes.forward + offset, direction = glm::normalize(forward);
+  path.ray = {axes.origin, direction};
+  for (int i = 0; const glm::dvec3& step : {step0, step1})
+    path.differential.direction[i++] = (step - direction * glm::dot(direction, step)) / glm::length(forward);
+  return path;
 }
 
 glm::dvec3 direct_irradiance(const Tracer& tracer, const Hit& hit, const glm::dvec3& side, const glm::dvec3& shading,
@@ -35,7 +48,8 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
                                       std::uint32_t pass, std::uint32_t x, std::uint32_t y) {
   const World& world = tracer.world();
   const shared::RandomKey key{settings.seed, pass, shared::STREAM_CAMERA, y * settings.width + x};
-  Path path = camera_ray(settings, axes, key, x, y);
+  const glm::dvec2 inside = pixel_offset(settings, key);
+  Path path = camera_ray(settings, axes, glm::dvec2(x, y) + 0.5 + inside);
   shared::PixelSample sample{};
   sample.triangle = shared::END_CUT;
   glm::dvec3 emitted(0);
@@ -47,6 +61,7 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
     }
     absorb(path, hit->t);
     const WorldTriangle& triangle = world.triangles[hit->triangle];
+    transfer(path.differential, path.ray.direction, hit->t, triangle.geometric);
     const shared::Surface& surface = world.surfaces[triangle.material];
     const bool front = glm::dot(triangle.geometric, path.ray.direction) < 0;
     if (bounce == 0) {
@@ -58,7 +73,10 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
     const std::uint32_t dimension = shared::DIM_FIRST_BOUNCE + shared::BOUNCE_DIMENSIONS * bounce;
     if (double(shared::random_unit(key, dimension)) >= double(surface.specular)) {
       const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
-      sample.position = glm::vec3(hit->point);
+      // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread.
+      glm::dvec3 shift = -inside.x * path.differential.place[0] - inside.y * path.differential.place[1];
+      if (settings.discs.round() || !(glm::length(shift) < most_shift(settings))) shift = glm::dvec3(0);
+      sample.position = glm::vec3(hit->point + shift);
       sample.normal = glm::vec3(side);
       sample.albedo = surface.albedo;
       sample.triangle = hit->triangle;

@@ -1,5 +1,5 @@
-// How a photon's place and direction change with where on its target it starts: Igehy, "Tracing Ray Differentials",
-// SIGGRAPH 1999, carried by photons as in Schjoth et al., "Photon Differentials", 2007. They give each photon a
+// How a path's place and direction change with where it starts: Igehy, "Tracing Ray Differentials",
+// SIGGRAPH 1999; carried by photons as in Schjoth et al., "Photon Differentials", 2007. They give each photon a
 // footprint of its own.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace meniscal::reference {
 
-// Derivatives along two perpendicular directions in the target's facet, per metre.
+// Of a photon: along two perpendicular directions in its target's facet, per metre; of a camera path: per pixel.
 struct Differential {
   std::array<glm::dvec3, 2> place{}, direction{};
 };

@@ -64,7 +64,7 @@ struct GpuBackend::Passes {
         commands(device),
         tables(device, world, 3 * photons_at_once(settings), allow_texel),
         tiles(passes::make_tiles(device, settings.crop.pixels())),
-        camera(device, tables, tiles) {
+        camera(device, tables, tiles, !settings.discs.round()) {
     if (photons_at_once(settings) > 0) maps.emplace(device, tables, tiles, world, settings);
     compile_seconds = seconds_since(start) - upload_seconds;
   }

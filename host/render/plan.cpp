@@ -62,10 +62,10 @@ Plan make_plan(const World& world) {
 Discs default_discs(const std::vector<shared::Beam>& beams, double footprint) {
   // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds.
   constexpr double narrowest = 0.85, most_pixels = 27;
-  double reach = 0;
+  double reach = most_pixels * footprint;
   for (const shared::Beam& b : beams) reach = std::max(reach, double(b.reach));
   // The grid's levels span a factor of 128 between the narrowest and the widest.
-  return {std::max(narrowest * footprint, reach / 100), std::max(most_pixels * footprint, reach)};
+  return {narrowest * footprint, std::min(reach, 100 * narrowest * footprint)};
 }
 
 }  // namespace meniscal

@@ -27,9 +27,9 @@ struct Discs {
   bool round() const { return narrowest == widest; }
 };
 
-// Discs of a pass, from those of pass 0; they shrink so that the mean over the passes converges to the truth. Round
-// ones by r_i^2 = r_0^2 prod_{k=1..i} (k + a) / (k + 1), a = 2/3 (Knaus and Zwicker 2011, eq. 20, from 0); the others
-// as (i + 1)^(-1/4), the power at which measured errors fell fastest.
+// Discs of a pass, from those of pass 0; they shrink so that the mean over the passes converges. Round ones by r_i^2 =
+// r_0^2 prod_{k=1..i} (k + a) / (k + 1), a = 2/3 (Knaus and Zwicker 2011, eq. 20, from 0); the others as (i +
+// 1)^(-1/4), the power at which measured errors fell fastest, but for the narrowest, which is a pixel's filter.
 inline Discs pass_discs(const Discs& first, std::uint32_t pass) {
   constexpr double a = 2.0 / 3.0;
   const double i = pass;
@@ -40,7 +40,7 @@ inline Discs pass_discs(const Discs& first, std::uint32_t pass) {
     return {radius, radius};
   }
   const double shrink = std::pow(i + 1, -0.25);
-  return {shrink * first.narrowest, shrink * first.widest, shrink};
+  return {first.narrowest, std::max(shrink * first.widest, 1.001 * first.narrowest), shrink};
 }
 
 struct RenderSettings {
@@ -59,14 +59,15 @@ struct RenderSettings {
 // Radius in a pass of the finest beam's discs where light is neither focused nor spread, m.
 double disc_radius(const RenderSettings& settings, std::uint32_t pass);
 
-// How much of a pixel's side camera rays are spread over in a pass, in [0, 1]. Discs average over a part of the pixel
-// already: variance w^2 / 8 of a disc of half-width w, and that of the spread, 1/12 of its square, make up a pixel's
-// 1/12 together. Round discs leave it all to the rays.
-inline double pixel_jitter(const RenderSettings& settings, std::uint32_t pass) {
-  if (settings.discs.round()) return 1;
-  const double width = pass_discs(settings.discs, pass).narrowest / settings.footprint;
-  return std::sqrt(std::max(1 - 1.5 * width * width, 0.0));
+// Part of a pixel's side that camera rays are spread over in a pass: all of it, but that a single pass looks better
+// without. Round discs of any size leave the pixel's filter to the rays from the beginning.
+inline float pixel_jitter(const RenderSettings& settings, std::uint32_t pass) {
+  return pass == 0 && !settings.discs.round() ? 0 : 1;
 }
+
+// From where a ray ends to where the pixel's centre sees the same plane, at the most, m. Where it is further, the pixel
+// sees so much through a curved surface that its differentials tell nothing.
+inline double most_shift(const RenderSettings& settings) { return 2 * settings.footprint; }
 
 // Image-plane axes of a camera, scaled: a ray through (x, y) in [-1, 1]^2 has offset x right + y up. A camera without
 // an aspect ratio takes the image's; one with another than the image's keeps its vertical extent.

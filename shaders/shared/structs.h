@@ -99,7 +99,8 @@ struct GatheredPhoton {
 
 // What one pass says of one pixel. The radiance is emitted + weight * (direct + targeted + caustic).
 struct PixelSample {
-  vec3 position;   // of the visible point: the first non-specular surface on the camera path
+  // Where the pixel's centre sees the plane of the visible point: of the first non-specular surface on the camera path.
+  vec3 position;
   float depth;     // along the camera ray to the first surface of any kind; 0: none
   vec3 normal;     // geometric, at the visible point, towards the viewer
   float meniscus;  // 1 where the camera ray first meets a meniscus
@@ -136,6 +137,7 @@ struct CameraPush {
   uint count, light_count, light_first, specular_bounces;
   uint buffer_first;  // pixel of the crop that stands first in the output buffer
   float jitter;       // part of a pixel's side that rays spread over, round its centre
+  float most_shift;   // from where a ray ends to where the pixel's centre sees, m; beyond, differentials tell nothing
 };
 
 struct GatherPush {
