@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One photon: starts on a target, or where a distant light sees one, and ends at the first diffuse surface. Paper, section 4.2.1.
-#include "lights.glsl"
+// One photon: starts on a target, or where a light sees one, and ends at the first diffuse surface. Paper, section 4.2.1.
+#include "emission.glsl"
 #include "shared/geometry.h"
 #include "shared/starts.h"
 
@@ -46,12 +46,16 @@ void main() {
 
   // The first ray looks for the target in the light's view, or, from a point of the target, for the light. What it meets, the light's
   // cosine there is a factor on the flux: the paper's roulette has the same mean, but would undo the starts' stratification.
-  bool in_view = beam.in_view != 0u;
+  bool on_targets = beam.kind == START_ON_TARGETS;
   uint map = beam.map;
   SurfacePoint point;
   Path path;
   LightSample light;
-  if (in_view) {
+  if (HAS_EMISSION && beam.kind == START_ON_LIGHTS) {
+    Emission e = emit(place, beam.light_first, push.light_count, random);
+    path = start_path(e.origin, e.direction, e.triangle, e.flux * power);
+    point.position = path.origin;
+  } else if (beam.kind == START_IN_VIEW) {
     path.origin = beam.corner + place.x * beam.u + place.y * beam.v;
     light = sample_light(beam.light, 1.0, path.origin, random);
     path = start_path(path.origin, -light.direction, NO_TRIANGLE, light.irradiance * power);
@@ -66,10 +70,10 @@ void main() {
     if (HAS_DIFFERENTIALS) path.differential = start_differential(point.geometric, -light.direction, light.distance);
   }
   float entered = dot(path.throughput, vec3(1.0 / 3.0));
-  uint end = entered > 0.0 ? END_CUT : in_view ? END_DROPPED : END_BLOCKED;
+  uint end = entered > 0.0 ? END_CUT : on_targets ? END_BLOCKED : END_DROPPED;
 
   for (uint k = 0u; k <= push.specular_bounces && end == END_CUT; ++k) {
-    bool asks_light = k == 0u && !in_view;
+    bool asks_light = k == 0u && on_targets;
     Hit hit = intersect(path.origin, path.direction, asks_light ? shadow_reach(light) : FAR, path.triangle, asks_light);
     if (asks_light) {
       if (hit.triangle != NO_TRIANGLE) end = END_BLOCKED;
@@ -89,8 +93,8 @@ void main() {
     if (end != END_CUT) break;
 
     Surface surface = surfaces[point.material];
-    if (k == 0u && in_view) {
-      // What the light sees first may be nothing that photons start on.
+    if (k == 0u && !on_targets) {
+      // What the light sees first may be no target.
       if (surface.specular == 0.0) {
         end = END_DROPPED;
         break;

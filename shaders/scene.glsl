@@ -23,6 +23,7 @@ layout(constant_id = 6) const bool HAS_THIN = true;
 layout(constant_id = 7) const bool HAS_ABSORPTION = true;
 layout(constant_id = 8) const float SCENE_RADIUS = 1.0;
 layout(constant_id = 9) const bool HAS_DIFFERENTIALS = true;  // paths carry the derivatives that shape photons' discs
+layout(constant_id = 10) const bool HAS_EMISSION = true;  // photons start on the lights
 
 const uint NO_TRIANGLE = 0xFFFFFFFFu;
 

@@ -122,14 +122,26 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       {{"none", MeniscusModel::none}, {"paper", MeniscusModel::paper}, {"exact", MeniscusModel::exact}},
       "No menisci, the paper's profile, or the Young-Laplace surface")
       ->default_str("exact");
-  command.add_option("--photons", options.photons, "Photons started per pass, all strata together")
+  add_choice<Integrator>(command, "--integrator", options.integrator,
+                         {{"targeted", Integrator::targeted}, {"ordinary", Integrator::ordinary}},
+                         "Photons from what the camera sees back to the lights, or ordinary photon mapping from the "
+                         "lights, to compare with")
+      ->default_str("targeted");
+  add_choice<Quality>(command, "--quality", options.quality,
+                      {{"draft", Quality::draft}, {"preview", Quality::preview}, {"final", Quality::final}},
+                      "How much to spend; the options below override")
+      ->default_str("final");
+  const auto by_quality = [](auto value) {
+    return fmt::format("{}|{}|{} by quality", value(Quality::draft), value(Quality::preview), value(Quality::final));
+  };
+  command.add_option("--photons", options.photons, "Photons started per pass")
       ->type_name("N")
       ->transform(whole(1, 1 << 30))
-      ->capture_default_str();
+      ->default_str(by_quality([](Quality q) { return preset(q).photons; }));
   command.add_option("--passes", options.passes, "Passes to run")
       ->type_name("N")
       ->transform(whole(1, kMaxPasses))
-      ->default_str(std::to_string(RenderOptions::default_passes));
+      ->default_str(by_quality([](Quality q) { return preset(q).passes; }));
   add_parsed(
       command, "--pass-range", "A:B", "Only passes A <= i < B, for splitting over machines",
       [&](const std::string& name, const std::string& text) { options.pass_range = parse_pass_range(name, text); });
@@ -211,7 +223,7 @@ void finish(RenderOptions& options) {
 }  // namespace
 
 PassRange RenderOptions::passes_to_run() const {
-  if (!pass_range) return {0, passes.value_or(default_passes)};
+  if (!pass_range) return {0, passes.value_or(preset(quality).passes)};
   return {pass_range->first, std::min(pass_range->last, passes.value_or(pass_range->last))};
 }
 

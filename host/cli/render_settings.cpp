@@ -38,10 +38,10 @@ void choose_size(RenderSettings& settings, const RenderOptions& options) {
                                              settings.crop.y1, settings.width, settings.height));
 }
 
-void set_beams(RenderSettings& settings, const RenderOptions& options, std::vector<shared::Beam> beams) {
+void set_beams(RenderSettings& settings, const RenderOptions& options, const World& world,
+               std::vector<shared::Beam> beams) {
   settings.beams = std::move(beams);
-  settings.discs =
-      options.radius ? Discs{*options.radius, *options.radius} : default_discs(settings.beams, settings.footprint);
+  settings.discs = options.radius ? Discs{*options.radius, *options.radius} : default_discs(settings, world.radius);
 }
 
 }  // namespace
@@ -49,16 +49,22 @@ void set_beams(RenderSettings& settings, const RenderOptions& options, std::vect
 RenderSettings choose_settings(const RenderOptions& options, const Scene& scene, const World& world) {
   RenderSettings settings;
   settings.seed = options.seed;
+  settings.integrator = options.integrator;
   settings.specular_bounces = options.specular_bounces;
   settings.camera = find_camera(scene, options.camera);
   choose_size(settings, options);
   settings.footprint = pixel_footprint(world, settings);
-  set_beams(settings, options, make_beams(world, default_starts(world), options.photons));
+  set_beams(settings, options, world,
+            options.integrator == Integrator::ordinary
+                ? light_beams(world, options.photons_per_pass())
+                : make_beams(world, default_starts(world), options.photons_per_pass()));
   return settings;
 }
 
 void focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend) {
-  set_beams(settings, options, make_beams(world, find_starts(backend, world, settings), options.photons));
+  if (settings.integrator == Integrator::ordinary || settings.beams.empty()) return;
+  set_beams(settings, options, world,
+            make_beams(world, find_starts(backend, world, settings), options.photons_per_pass()));
   backend.configure(settings);
 }
 

@@ -14,7 +14,7 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
           shader("camera", tables.texel),
           layout,
           sizeof(shared::CameraPush),
-          tables.constants(differentials)};
+          tables.constants(differentials, false)};
 }
 
 gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, const gpu::Buffer& samples) {

@@ -8,7 +8,7 @@
 namespace meniscal::passes {
 namespace {
 
-gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, bool differentials) {
+gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, const RenderSettings& settings) {
   std::vector<gpu::Binding> layout = tables.layout();
   for (std::uint32_t i = 0; i < 4; ++i) layout.push_back({BIND_OUTPUT + i, gpu::Kind::storage});
   return {device,
@@ -16,7 +16,7 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
           shader("photons", tables.texel),
           layout,
           sizeof(shared::PhotonPush),
-          tables.constants(differentials)};
+          tables.constants(!settings.discs.round(), settings.integrator == Integrator::ordinary)};
 }
 
 gpu::BindingSet bind(const gpu::ComputePass& pass, const SceneTables& tables, const PhotonBuffers& b,
@@ -44,9 +44,9 @@ Grid make_grid(std::uint32_t photons, const Discs& discs) {
 }
 
 PhotonPass::PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers,
-                       std::size_t beams, bool differentials)
+                       std::size_t beams, const RenderSettings& settings)
     : beams_(device, "beams", beams * sizeof(shared::Beam)),
-      pass_(make_pass(device, tables, differentials)),
+      pass_(make_pass(device, tables, settings)),
       buffers_(bind(pass_, tables, buffers, beams_)) {}
 
 void PhotonPass::run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::uint32_t pass,

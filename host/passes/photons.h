@@ -28,10 +28,9 @@ constexpr std::size_t most_cells = std::size_t(shared::GRID_LEVELS) << 17;
 
 class PhotonPass {
  public:
-  // `beams`: there will be at the most. `differentials`: discs take their shape from them; else the shader leaves them
-  // out.
+  // `beams`: there will be at the most. Of the settings, the integrator and whether discs are round stay.
   PhotonPass(const gpu::Device& device, const SceneTables& tables, const PhotonBuffers& buffers, std::size_t beams,
-             bool differentials);
+             const RenderSettings& settings);
   // Photons first .. first + count of a pass, into the buffers from their beginning on.
   void run(gpu::Commands& commands, const World& world, const RenderSettings& settings, std::uint32_t pass,
            std::uint32_t first, std::uint32_t count, const Grid& grid);

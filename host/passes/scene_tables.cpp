@@ -85,9 +85,10 @@ void SceneTables::collect_counters() {
   counters.upload(std::vector<std::uint32_t>(shared::COUNTERS, 0));
 }
 
-std::vector<std::uint32_t> SceneTables::constants(bool differentials) const {
+std::vector<std::uint32_t> SceneTables::constants(bool differentials, bool emission) const {
   std::vector<std::uint32_t> constants = scene_constants;
   constants.push_back(differentials);
+  constants.push_back(emission);
   return constants;
 }
 

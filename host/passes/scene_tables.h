@@ -8,7 +8,7 @@ namespace meniscal::passes {
 
 struct SceneTables {
   gpu::Buffer scene, normals, surfaces, lights, cdf, targets, counters;
-  // Specialisation constants of scene.glsl in order of their ids, all but the last.
+  // Specialisation constants of scene.glsl in order of their ids, all but the last two.
   std::vector<std::uint32_t> scene_constants;
   bool texel;  // tables are read through texel buffers: how shaders are to be compiled
 
@@ -20,7 +20,8 @@ struct SceneTables {
   void collect_counters();
   std::array<std::uint64_t, shared::COUNTERS> sums{};  // by shared::COUNTER_*
 
-  std::vector<std::uint32_t> constants(bool differentials) const;
+  // `differentials`: paths carry them; `emission`: photons start on the lights.
+  std::vector<std::uint32_t> constants(bool differentials, bool emission) const;
   std::vector<gpu::Binding> layout() const;  // of bindings 0 to BIND_OUTPUT - 1
   std::vector<gpu::Bound> bound() const;
 };

@@ -6,16 +6,10 @@
 #include "host/reference/optics.h"
 
 namespace meniscal::reference {
-namespace {
-
-// Two unit vectors that make a right-handed frame with `n`.
 std::array<glm::dvec3, 2> tangents(const glm::dvec3& n) {
-  const glm::dvec3 other = std::abs(n.x) > 0.6 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(other, n));
+  const glm::dvec3 u = glm::normalize(std::abs(n.x) > 0.6 ? glm::dvec3(n.z, 0, -n.x) : glm::dvec3(0, -n.z, n.y));
   return {u, glm::cross(n, u)};
 }
-
-}  // namespace
 
 Differential start_differential(const glm::dvec3& facet_normal, const glm::dvec3& direction, double distance) {
   Differential d;

@@ -14,6 +14,9 @@ struct Differential {
   std::array<glm::dvec3, 2> place{}, direction{};
 };
 
+// Two unit vectors that make a right-handed frame with `n`; the GPU's.
+std::array<glm::dvec3, 2> tangents(const glm::dvec3& n);
+
 // At the start: places differ within the facet; directions as the light's do: not at all from far away, about a point
 // at `distance`.
 Differential start_differential(const glm::dvec3& facet_normal, const glm::dvec3& direction, double distance);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/reference/emission.h"
 #include "shaders/shared/starts.h"
 
 namespace meniscal::reference {
@@ -56,29 +57,43 @@ Start start_on_target(const Tracer& tracer, const shared::Beam& beam, double are
   return start;
 }
 
-// From the light's view: looks for the target.
-Start start_in_view(const Tracer& tracer, const shared::Beam& beam, double area, const shared::uvec2& bits,
-                    const shared::RandomKey& key, const glm::dvec3& shift) {
+// Follows a path from a light to what it meets first. `map`: of one that meets nothing that photons start on.
+Start meet_first(const Tracer& tracer, const Path& path, std::uint32_t map) {
   const World& world = tracer.world();
-  const glm::dvec3 origin = glm::dvec3(beam.corner) + double(shared::unit_float(bits.x)) * glm::dvec3(beam.u) +
-                            double(shared::unit_float(bits.y)) * glm::dvec3(beam.v) + shift;
-  const LightSample light = sample_light(world, beam.light, 1, origin, key);
-  Start start{{}, {0, no_triangle, origin, glm::dvec3(0)}, beam.map, shared::END_DROPPED};
-  Path& path = start.path;
-  path.ray = {origin, -light.direction};
-  path.throughput = light.irradiance * area;
-  path.differential = start_differential(path.ray.direction, path.ray.direction, light.distance);
-  if (!(area > 0)) return start;
-  const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), no_triangle);
+  Start start{path, {0, no_triangle, path.ray.origin, glm::dvec3(0)}, map, shared::END_DROPPED};
+  if (path.throughput == glm::dvec3(0)) return start;
+  const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
   if (!hit) return start;
   const WorldTriangle& triangle = world.triangles[hit->triangle];
   start.hit = *hit;
-  transfer(path.differential, path.ray.direction, hit->t, triangle.geometric);
-  // What the light sees first may be nothing that photons start on.
+  transfer(start.path.differential, path.ray.direction, hit->t, triangle.geometric);
   if (world.surfaces[triangle.material].specular == 0) return start;
   start.map = triangle.meniscus ? shared::MAP_TARGETED : shared::MAP_CAUSTIC;
   start.end = shared::END_CUT;
   return start;
+}
+
+Start start_in_view(const Tracer& tracer, const shared::Beam& beam, double area, const shared::uvec2& bits,
+                    const shared::RandomKey& key, const glm::dvec3& shift) {
+  const glm::dvec3 origin = glm::dvec3(beam.corner) + double(shared::unit_float(bits.x)) * glm::dvec3(beam.u) +
+                            double(shared::unit_float(bits.y)) * glm::dvec3(beam.v) + shift;
+  const LightSample light = sample_light(tracer.world(), beam.light, 1, origin, key);
+  Path path;
+  path.ray = {origin, -light.direction};
+  path.throughput = light.irradiance * std::max(area, 0.0);
+  path.differential = start_differential(path.ray.direction, path.ray.direction, light.distance);
+  return meet_first(tracer, path, beam.map);
+}
+
+// From one of the lights: looks for what it meets. `part`: of all photons.
+Start start_on_light(const Tracer& tracer, double part, const shared::vec2& place, const shared::RandomKey& key,
+                     const glm::dvec3& shift) {
+  const Emission emission = emit(tracer, glm::dvec2(place), key);
+  Path path;
+  path.ray = {emission.ray.origin + shift, emission.ray.direction};
+  path.triangle = emission.triangle;
+  path.throughput = emission.flux * part;
+  return meet_first(tracer, path, shared::MAP_CAUSTIC);
 }
 
 Start start_photon(const Tracer& tracer, const shared::Beam& beam, const shared::RandomKey& key,
@@ -87,8 +102,9 @@ Start start_photon(const Tracer& tracer, const shared::Beam& beam, const shared:
   const shared::vec2 place(shared::unit_float(bits.x), shared::unit_float(bits.y));
   const double area = double(beam.power) * double(shared::window_weight(place, beam.own, beam.own_fade) -
                                                   shared::window_weight(place, beam.finer, beam.finer_fade));
-  return beam.in_view ? start_in_view(tracer, beam, area, bits, key, shift)
-                      : start_on_target(tracer, beam, area, bits, key, shift);
+  if (beam.kind == shared::START_ON_LIGHTS) return start_on_light(tracer, area, place, key, shift);
+  return beam.kind == shared::START_IN_VIEW ? start_in_view(tracer, beam, area, bits, key, shift)
+                                            : start_on_target(tracer, beam, area, bits, key, shift);
 }
 
 }  // namespace

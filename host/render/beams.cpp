@@ -101,7 +101,7 @@ shared::Beam make_beam(const World& world, const StartSet& set) {
   beam.target_count = stratum.count;
   if (set.light) {
     const LightView& view = *world.views[*set.light];
-    beam.in_view = 1;
+    beam.kind = shared::START_IN_VIEW;
     beam.light = *set.light;
     beam.corner = view.corner, beam.u = view.u, beam.v = view.v;
   }
@@ -116,6 +116,20 @@ void set_extent(shared::Beam& beam, const glm::dvec2& low, const glm::dvec2& hig
 }
 
 }  // namespace
+
+std::vector<shared::Beam> light_beams(const World& world, std::uint32_t photons) {
+  if (world.lights.empty()) return {};
+  shared::Beam beam{};
+  beam.kind = shared::START_ON_LIGHTS;
+  beam.map = shared::MAP_CAUSTIC;
+  beam.light_first = world.light_first;
+  beam.count = photons;
+  beam.power = 1 / static_cast<float>(photons);
+  beam.extent = glm::uvec2(65536);
+  beam.own = everywhere, beam.finer = nowhere;
+  beam.own_fade = beam.finer_fade = glm::vec2(1);
+  return {beam};
+}
 
 std::vector<shared::Beam> make_beams(const World& world, const std::vector<StartSet>& starts, std::uint32_t photons) {
   std::vector<shared::Beam> beams;

@@ -35,4 +35,7 @@ std::vector<StartSet> default_starts(const World& world);
 // `photons`: of a pass. Windows within others are widened by a border over which they fade in.
 std::vector<shared::Beam> make_beams(const World& world, const std::vector<StartSet>& starts, std::uint32_t photons);
 
+// All photons from the lights, by power: ordinary photon mapping. Its discs are round. Empty without lights.
+std::vector<shared::Beam> light_beams(const World& world, std::uint32_t photons);
+
 }  // namespace meniscal

@@ -30,14 +30,14 @@ struct MapPasses {
 
   MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
             const World& world, const RenderSettings& settings)
-      : MapPasses(device, tables, tiles, photons_at_once(settings), most_beams(world), settings.discs) {}
+      : MapPasses(device, tables, tiles, photons_at_once(settings), most_beams(world), settings) {}
 
  private:
   MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
-            std::uint32_t at_once, std::size_t beams, const Discs& discs)
+            std::uint32_t at_once, std::size_t beams, const RenderSettings& settings)
       : capacity(at_once),
         photons(device, capacity),
-        trace(device, tables, photons, beams, !discs.round()),
+        trace(device, tables, photons, beams, settings),
         sort(device, photons.keys, capacity),
         cells(device, photons, sort, capacity, passes::most_cells, tables.texel),
         gather(device, cells, tiles, tables.texel) {}

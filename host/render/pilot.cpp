@@ -76,8 +76,34 @@ std::vector<std::size_t> sets_of_beams(const std::vector<StartSet>& sets) {
 }
 
 // Mean distance between the starts of a window, in the square.
-glm::dvec2 spacing(const StartWindow& window, double photons) {
-  return (window.high - window.low) / std::sqrt(std::max(photons, 1.0));
+glm::dvec2 spacing(const StartWindow& window) {
+  return (window.high - window.low) / std::sqrt(std::max(window.share * photons_a_round, 1.0));
+}
+
+// The whole square; round what is seen; and round the menisci, if they are a small part of that. Shares are the square
+// roots of flux.
+std::vector<StartWindow> windows_round(const SeenSet& seen, const StartSet& looked, bool menisci) {
+  std::vector<StartWindow> windows = {StartWindow{.seen = false}};
+  if (!seen.all.any()) return windows;
+  const glm::dvec2 margin = 1.5 * spacing(looked.windows.back());
+  windows.push_back(seen.all.window(margin));
+  windows[1].share = std::sqrt(seen.all.flux);
+  const StartWindow finer = seen.targeted.window(margin);
+  if (!menisci || !looked.light || !seen.targeted.any() || finer.part() > 0.5 * windows[1].part()) return windows;
+  windows.push_back(finer);
+  windows[1].share = std::sqrt(std::max(seen.all.flux - seen.targeted.flux, 0.0));
+  windows[2].share = std::sqrt(seen.targeted.flux);
+  return windows;
+}
+
+// Makes shares of what windows weigh; the whole squares get the part that is for what is not seen.
+void share_out(std::vector<StartSet>& sets) {
+  double total = 0;
+  for (const StartSet& s : sets)
+    for (const StartWindow& w : s.windows) total += w.share;
+  for (StartSet& s : sets)
+    for (StartWindow& w : s.windows)
+      w.share = w.seen ? (1 - unseen_share) * w.share / total : (total > 0 ? unseen_share : 1) / double(sets.size());
 }
 
 }  // namespace
@@ -95,18 +121,9 @@ std::vector<StartSet> find_starts(Backend& backend, const World& world, const Re
   for (std::uint32_t round = 0; round < rounds; ++round) {
     pilot.beams = make_beams(world, sets, photons_a_round);
     look(backend, pilot, sets_of_beams(sets), round, cells, seen);
-    const auto flux = [](const SeenSet& s) { return std::sqrt(s.all.flux); };
-    double total = 0;
-    for (const SeenSet& s : seen) total += flux(s);
-    if (!(total > 0)) return whole;
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-      const StartWindow& last = sets[i].windows.back();
-      const StartWindow window = seen[i].all.window(1.5 * spacing(last, last.share * photons_a_round));
-      sets[i].windows = {StartWindow{.share = unseen_share / double(sets.size()), .seen = false}};
-      if (!seen[i].all.any()) continue;
-      sets[i].windows.push_back(window);
-      sets[i].windows.back().share = (1 - unseen_share) * flux(seen[i]) / total;
-    }
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      sets[i].windows = windows_round(seen[i], sets[i], round + 1 == rounds);
+    share_out(sets);
   }
   return sets;
 }

@@ -59,13 +59,18 @@ Plan make_plan(const World& world) {
   return plan;
 }
 
-Discs default_discs(const std::vector<shared::Beam>& beams, double footprint) {
-  // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds.
-  constexpr double narrowest = 0.85, most_pixels = 27;
-  double reach = most_pixels * footprint;
-  for (const shared::Beam& b : beams) reach = std::max(reach, double(b.reach));
-  // The grid's levels span a factor of 128 between the narrowest and the widest.
-  return {narrowest * footprint, std::min(reach, 100 * narrowest * footprint)};
+Discs default_discs(const RenderSettings& settings, double radius) {
+  if (settings.integrator == Integrator::ordinary) {
+    // Some fifty photons where they are spread over the scene evenly.
+    const double round = radius * std::sqrt(50.0 / std::max(settings.photons(), 50u));
+    return {round, round};
+  }
+  // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds. The grid's levels
+  // span a factor of 128 between the narrowest and the widest.
+  constexpr double narrowest = 0.85, most_pixels = 27, levels = 100;
+  double widest = most_pixels * settings.footprint;
+  for (const shared::Beam& b : settings.beams) widest = std::max(widest, double(b.reach));
+  return {narrowest * settings.footprint, std::min(widest, levels * narrowest * settings.footprint)};
 }
 
 }  // namespace meniscal

@@ -15,7 +15,7 @@ using Plan = std::vector<PlanEntry>;
 
 Plan make_plan(const World& world);
 
-// Bounds of the discs of pass 0. `footprint`: side of a pixel on what is seen, m.
-Discs default_discs(const std::vector<shared::Beam>& beams, double footprint);
+// Discs of pass 0 for the beams and pixels of the settings. `radius`: of the scene, m.
+Discs default_discs(const RenderSettings& settings, double radius);
 
 }  // namespace meniscal

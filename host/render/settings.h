@@ -43,7 +43,12 @@ inline Discs pass_discs(const Discs& first, std::uint32_t pass) {
   return {first.narrowest, std::max(shrink * first.widest, 1.001 * first.narrowest), shrink};
 }
 
+// Where photons start: on targets and in lights' views of them, where the camera sees what they give; or, as in
+// ordinary photon mapping, on the lights.
+enum class Integrator { targeted, ordinary };
+
 struct RenderSettings {
+  Integrator integrator = Integrator::targeted;
   std::uint32_t seed = 0;
   std::uint32_t width = 640, height = 480;
   Crop crop{0, 0, 640, 480};

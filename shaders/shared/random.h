@@ -8,7 +8,7 @@ SHARED_BEGIN
 
 // Dimensions of a photon's or camera path's number sequence. Paths take BOUNCE_DIMENSIONS numbers a bounce from
 // FIRST_BOUNCE on.
-const uint DIM_LIGHT = 2u, DIM_LIGHT_U = 3u, DIM_LIGHT_V = 4u, DIM_FIRST_BOUNCE = 8u;
+const uint DIM_LIGHT = 2u, DIM_LIGHT_U = 3u, DIM_LIGHT_V = 4u, DIM_LIGHT_SIDE = 5u, DIM_FIRST_BOUNCE = 8u;
 const uint BOUNCE_DIMENSIONS = 2u;  // 0: specular or diffuse, 1: reflect or refract
 // What the numbers are drawn for: keeps photons of each beam and camera paths apart.
 const uint STREAM_CAMERA = 0u, STREAM_BEAM = 1u;  // of the i-th beam: STREAM_BEAM + i

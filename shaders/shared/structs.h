@@ -49,6 +49,9 @@ const uint END_FIRST = 0xFFFFFFF0u;    // ends at and above this are no triangle
 // Which map a photon belongs to: by the first surface it meets, a meniscus or another specular one.
 const uint MAP_TARGETED = 0u, MAP_CAUSTIC = 1u, MAPS = 2u;
 
+// Where photons start: on targets, in a distant light's view of them, or (ordinary photon mapping) on the lights.
+const uint START_ON_TARGETS = 0u, START_IN_VIEW = 1u, START_ON_LIGHTS = 2u;
+
 // Photons that start alike: in a window of the square of starts, [0, 1)^2. The square is a distant light's view of all
 // targets, or (across: the CDF of a stratum's triangles; up: place on the triangle) the targets themselves. Windows lie
 // in each other; a start's weight is that of its window less that of the finer one within, so that together they sum to
@@ -59,15 +62,15 @@ struct Beam {
   vec3 u;       // edges of the light's view, m
   uint count;   // photons a pass
   vec3 v;
-  uint in_view;         // 1: starts in a distant light's view, 0: on targets
+  uint kind;            // START_*
   uvec2 start, extent;  // of the window, in units of 2^-16
   vec4 own, finer;      // windows: low x, low y, high x, high y
   vec2 own_fade, finer_fade;  // width of their borders, over which the weight rises from 0 to 1
   uint map;                   // MAP_* that it is meant for; in a light's view photons of the other come along
   uint light;                 // of the view
-  uint light_first;           // starts on targets: range of the lights in the CDF
+  uint light_first;           // where the CDF of the lights begins that light the targets
   uint target_first, target_count;  // starts on targets: their range in the tables
-  float power;                      // area of the window / count, m2
+  float power;                      // area of the window / count, m2; starts on lights: 1 / count
   float reach;                      // half-width of discs that light reaches unbent, m
   float pad0;
 };

@@ -24,7 +24,7 @@ TEST(RenderOptions, FileNameAloneIsEnough) {
   EXPECT_EQ(o.meniscus, MeniscusModel::exact);
   EXPECT_EQ(o.tonemap, ToneMap::ward);
   EXPECT_EQ(o.passes_to_run().first, 0u);
-  EXPECT_EQ(o.passes_to_run().last, RenderOptions::default_passes);
+  EXPECT_EQ(o.passes_to_run().last, preset(Quality::final).passes);
   EXPECT_EQ(o.map_scale.targeted, 1);
   EXPECT_TRUE(o.aovs.empty());
   EXPECT_FALSE(o.radius || o.resolution || o.crop || o.camera || o.preview || o.exposure || o.stats || o.passes ||

@@ -1,0 +1,51 @@
+#include "host/reference/emission.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+namespace meniscal::reference {
+namespace {
+
+constexpr double pi = glm::pi<double>();
+
+// sine across the axis, turned by `turn` of a full circle, and cosine along it.
+glm::dvec3 around(const glm::dvec3& axis, double sine, double cosine, double turn) {
+  const auto [u, v] = tangents(axis);
+  return cosine * axis + sine * (std::cos(2 * pi * turn) * u + std::sin(2 * pi * turn) * v);
+}
+
+}  // namespace
+
+Emission emit(const Tracer& tracer, const glm::dvec2& place, const shared::RandomKey& key) {
+  const World& world = tracer.world();
+  const Picked picked =
+      pick(world.cdf, world.light_first, world.lights.size(), shared::random_bits(key, shared::DIM_LIGHT));
+  const shared::Light& light = world.lights[picked.index];
+  const glm::dvec3 axis = glm::normalize(glm::dvec3(light.direction));
+  Emission e{{glm::dvec3(light.position), axis}, glm::dvec3(light.intensity) * picked.weight, no_triangle};
+  if (light.type == shared::LIGHT_DIRECTIONAL) {
+    e.ray.origin = world.radius * around(axis, std::sqrt(place.x), -1.01, place.y);
+    e.flux *= pi * world.radius * world.radius;
+  } else if (light.type == shared::LIGHT_AREA) {
+    const double root = std::sqrt(double(shared::random_unit(key, shared::DIM_LIGHT_U)));
+    const double v = root * double(shared::random_unit(key, shared::DIM_LIGHT_V));
+    const bool back = light.double_sided && shared::random_unit(key, shared::DIM_LIGHT_SIDE) < 0.5f;
+    const glm::dvec3 side = back ? -axis : axis;
+    e.ray.direction = around(side, std::sqrt(place.x), std::sqrt(1 - place.x), place.y);
+    e.ray.origin =
+        tracer.leave(e.ray.origin + (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2), side);
+    e.flux *= pi * double(light.area) * (light.double_sided ? 2 : 1);
+    e.triangle = light.triangle;
+  } else {
+    const bool spot = light.type == shared::LIGHT_SPOT;
+    const double most = spot ? double(light.cone_versine) : 2, versine = most * place.x;
+    const double falloff = spot ? std::clamp((most - versine) * double(light.cone_scale), 0.0, 1.0) : 1;
+    e.ray.direction =
+        around(spot ? axis : glm::dvec3(0, 1, 0), std::sqrt(versine * (2 - versine)), 1 - versine, place.y);
+    e.flux *= 2 * pi * most * falloff * falloff;
+  }
+  return e;
+}
+
+}  // namespace meniscal::reference
