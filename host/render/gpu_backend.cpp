@@ -24,7 +24,6 @@ struct MapPasses {
   std::uint32_t capacity;
   passes::PhotonBuffers photons;
   passes::PhotonPass trace;
-  passes::SortPass sort;
   passes::CellsPass cells;
   passes::GatherPass gather;
 
@@ -38,8 +37,7 @@ struct MapPasses {
       : capacity(at_once),
         photons(device, capacity),
         trace(device, tables, photons, beams, settings),
-        sort(device, photons.keys, capacity),
-        cells(device, photons, sort, capacity, passes::most_cells, tables.texel),
+        cells(device, photons, capacity, passes::most_cells, tables.texel),
         gather(device, cells, tiles, tables.texel) {}
 };
 
@@ -124,7 +122,6 @@ PassResult GpuBackend::render_pass(std::uint32_t pass) {
   PassResult result;
   for (Tally& t : result.tallies) t.flux_landed.resize(p.world.surfaces.size());
   p.trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
-    p.maps->sort.record(p.commands, count, grid.digits);
     p.maps->cells.record(p.commands, count, grid.digits);
     p.maps->gather.run(p.commands, grid);
     p.tally(result.tallies, count);

@@ -153,20 +153,18 @@ struct GatherPush {
   uint pad0, pad1;
 };
 
-struct SortPush {
+// Steps of the hash grid's making; shaders/cells.comp says what each does.
+const uint CELLS_COUNT = 0u, CELLS_MOVE = 1u, CELLS_SCAN = 2u, CELLS_ADD = 3u, CELLS_COLLECT = 4u;
+
+struct CellsPush {
+  uint step;      // CELLS_*
   uint count;     // elements
-  uint shift;     // of the digit
-  uint chunks;    // invocations, each of SORT_CHUNK elements
-  uint identity;  // 1: values are not read but are the elements' indices
+  uint from, to;  // where they are read and written, in the pairs or (scans) in the counts
+  uint shift;     // of the digit, in bits
+  uint chunks;    // of SORT_CHUNK elements
 };
 
-struct ScanPush {
-  uint first, count;  // range of the buffer to scan
-  uint totals;        // where the blocks' totals go (behind the range)
-  uint pad0;
-};
-
-// Sorting: a stable radix sort by digits of SORT_BITS, each invocation taking SORT_CHUNK consecutive elements.
+// Sorting: by digits of SORT_BITS, each invocation taking SORT_CHUNK consecutive elements.
 const uint SORT_BITS = 6u, SORT_BINS = 64u, SORT_CHUNK = 256u, SCAN_BLOCK = 128u;
 // The key of what is not stored: behind every cell, by however many digits is sorted.
 const uint NO_CELL = 0x00FFFFFFu;
