@@ -1,4 +1,4 @@
-// load_gltf: guard -> schema -> tinygltf -> validate -> plain values.
+// load_gltf: guard -> embedded buffers -> schema -> tinygltf -> validate -> plain values.
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host/scene/embedded.h"
 #include "host/scene/extras.h"
 #include "host/scene/guard.h"
 #include "host/scene/materials.h"
@@ -21,7 +22,8 @@ namespace meniscal {
 namespace gltf {
 namespace {
 
-tinygltf::Model parse(const std::vector<unsigned char>& file, AssetFolder& folder, const Messages& messages) {
+// `file`: a .glb; or the text of a .gltf, without the buffers that `folder` has taken over.
+tinygltf::Model parse(std::string_view file, bool binary, AssetFolder& folder, const Messages& messages) {
   tinygltf::TinyGLTF parser;
   parser.SetFsCallbacks(folder.callbacks());
   parser.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
@@ -32,9 +34,9 @@ tinygltf::Model parse(const std::vector<unsigned char>& file, AssetFolder& folde
   bool done = false;
   const auto size = static_cast<unsigned>(file.size());  // max_bytes is less
   try {
-    done = is_binary(file) ? parser.LoadBinaryFromMemory(&model, &errors, &warnings, file.data(), size, "")
-                           : parser.LoadASCIIFromString(&model, &errors, &warnings,
-                                                        reinterpret_cast<const char*>(file.data()), size, "");
+    done = binary ? parser.LoadBinaryFromMemory(&model, &errors, &warnings,
+                                                reinterpret_cast<const unsigned char*>(file.data()), size, "")
+                  : parser.LoadASCIIFromString(&model, &errors, &warnings, file.data(), size, "");
   } catch (const std::out_of_range& error) {  // for instance an empty buffer
     errors = error.what();
   }
@@ -105,11 +107,19 @@ Scene load_gltf(const std::string& path) {
   Messages messages(path);
   AssetFolder folder(path, messages);
   const std::vector<unsigned char> file = folder.read_scene();
-  const std::string_view json = json_text(file, messages);
+  const bool binary = is_binary(file);
+  std::string_view json = json_text(file, messages);
+  Embedded embedded;
+  if (!binary) {
+    embedded = take_out_buffers(json);
+    json = embedded.json;
+    folder.add_embedded(std::move(embedded.buffers));
+  }
   check_depth(json, messages);
   check_schema(json, messages);
-  const tinygltf::Model model = parse(file, folder, messages);
-  validate(model, is_binary(file), messages);
+  const std::string_view whole(reinterpret_cast<const char*>(file.data()), file.size());
+  const tinygltf::Model model = parse(binary ? whole : json, binary, folder, messages);
+  validate(model, binary, messages);
   Scene scene = assemble(model, messages);
   scene.file = path;
   scene.hash = folder.hash();

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "host/scene/embedded.h"
+
 namespace meniscal::gltf {
 namespace fs = std::filesystem;
 
@@ -54,16 +56,27 @@ std::vector<unsigned char> AssetFolder::read(const fs::path& path, std::string_v
   return bytes;
 }
 
+std::vector<unsigned char>* AssetFolder::embedded(const std::string& uri) {
+  for (std::size_t i = 0; i < embedded_.size(); ++i)
+    if (uri == embedded_name(i)) return &embedded_[i];
+  return nullptr;
+}
+
 tinygltf::FsCallbacks AssetFolder::callbacks() {
   tinygltf::FsCallbacks result{};
   result.user_data = this;
   result.ExpandFilePath = [](const std::string& uri, void*) { return uri; };
   result.FileExists = [](const std::string& uri, void* self) {
+    auto* folder = static_cast<AssetFolder*>(self);
     std::error_code error;
-    return fs::exists(static_cast<AssetFolder*>(self)->resolve(uri), error);
+    return folder->embedded(uri) != nullptr || fs::exists(folder->resolve(uri), error);
   };
   result.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& uri, void* self) {
     auto* folder = static_cast<AssetFolder*>(self);
+    if (auto* buffer = folder->embedded(uri)) {
+      *out = std::move(*buffer);
+      return true;
+    }
     *out = folder->read(folder->resolve(uri), fmt::format("uri \"{}\"", uri));
     return true;
   };

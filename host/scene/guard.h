@@ -27,6 +27,9 @@ class AssetFolder {
   // The scene file itself.
   std::vector<unsigned char> read_scene();
 
+  // The buffers taken out of the scene file's text: tinygltf will ask for each once, by its embedded_name.
+  void add_embedded(std::vector<std::vector<unsigned char>> buffers) { embedded_ = std::move(buffers); }
+
   // File access for tinygltf, to be used with an empty base folder so that paths arrive as the file states them.
   // Throws Error for a path that leaves the folder (by name or by symbolic link), is no plain file or is too large.
   tinygltf::FsCallbacks callbacks();
@@ -37,8 +40,10 @@ class AssetFolder {
  private:
   std::filesystem::path resolve(const std::string& uri) const;
   std::vector<unsigned char> read(const std::filesystem::path& path, std::string_view object);
+  std::vector<unsigned char>* embedded(const std::string& uri);  // null: a file's name
 
   std::filesystem::path scene_, root_;
+  std::vector<std::vector<unsigned char>> embedded_;
   const Messages& messages_;
   std::uint64_t bytes_read_ = 0;
   std::uint64_t hash_ = 0xcbf29ce484222325u;
