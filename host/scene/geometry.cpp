@@ -71,16 +71,27 @@ bool is_closed(const std::vector<TriangleMesh>& parts) {
     for (const glm::uvec3& t : part.triangles) triangles.push_back(t + base);
   }
   const std::vector<std::uint32_t> place = places(positions);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  edges.reserve(3 * triangles.size());
-  for (const glm::uvec3& t : triangles)
-    for (int k = 0; k < 3; ++k) edges.push_back(std::minmax(place[t[k]], place[t[(k + 1) % 3]]));
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t first = 0, next; first < edges.size(); first = next) {
-    for (next = first + 1; next < edges.size() && edges[next] == edges[first];) ++next;
-    if (next - first != 2) return false;
+  // Each edge's upper place, beside those of the edges with the same lower one: few, so that sorting them costs little.
+  std::vector<std::uint32_t> first(positions.size() + 2, 0), upper(3 * triangles.size());
+  const auto for_each_edge = [&](auto&& visit) {
+    for (const glm::uvec3& t : triangles)
+      for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax({place[t[k]], place[t[(k + 1) % 3]]});
+        visit(low, high);
+      }
+  };
+  for_each_edge([&](std::uint32_t low, std::uint32_t) { ++first[low + 2]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  for_each_edge([&](std::uint32_t low, std::uint32_t high) { upper[first[low + 1]++] = high; });
+  for (std::size_t low = 0; low < positions.size(); ++low) {
+    const auto begin = upper.begin() + first[low], end = upper.begin() + first[low + 1];
+    std::sort(begin, end);
+    for (auto edge = begin, next = edge; edge != end; edge = next) {
+      next = std::upper_bound(edge, end, *edge);
+      if (next - edge != 2) return false;
+    }
   }
-  return !edges.empty();
+  return !upper.empty();
 }
 
 TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& to_world) {
