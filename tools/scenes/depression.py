@@ -1,0 +1,99 @@
+"""The benchmark's scenes: a post in a depression of the water whose caustic is known exactly. The surface is a mesh of analytic heights
+and normals: h(r) = -depth K0(r/L) / K0(R/L), the small-slope meniscus of a cylinder of radius R, flat beyond it."""
+import math
+import os
+import sys
+
+from gltf_writer import Scene
+from shapes import cylinder, square
+
+MM = 1e-3
+CAPILLARY_LENGTH = 2.727 * MM
+RINGS, AROUND = 96, 256  # rows and columns of the surface's mesh
+WATER_DEPTH = 50 * MM
+WATER_HALF_WIDTH = 60 * MM
+
+
+def bessel_k(order, x):
+    """Modified Bessel function of the second kind, order 0 or 1, x > 0: the integral of exp(-x cosh t) cosh(order t) over t > 0 by the
+    trapezoidal rule, which converges exponentially here."""
+    step = 1 / 64
+    terms = (math.exp(-x * math.cosh(k * step)) * math.cosh(order * k * step) for k in range(1, 12 * 64))
+    return step * (0.5 * math.exp(-x) + math.fsum(terms))
+
+
+def circle():
+    return [(math.cos(2 * math.pi * k / AROUND), math.sin(2 * math.pi * k / AROUND)) for k in range(AROUND)]
+
+
+def stitched(rings):
+    """Triangles between consecutive rings of AROUND vertices, counter-clockwise from above where rings grow."""
+    quads = [(AROUND * i + k, AROUND * i + (k + 1) % AROUND) for i in range(rings - 1) for k in range(AROUND)]
+    return [(a, b + AROUND, a + AROUND) for a, b in quads] + [(a, b, b + AROUND) for a, b in quads]
+
+
+def depression(radius, depth, radii):
+    """The surface over the rings `radii`, the first at the post."""
+    at_post = bessel_k(0, radius / CAPILLARY_LENGTH)
+    positions, normals = [], []
+    for r in radii:
+        height = -depth * bessel_k(0, r / CAPILLARY_LENGTH) / at_post
+        slope = depth * bessel_k(1, r / CAPILLARY_LENGTH) / (at_post * CAPILLARY_LENGTH)
+        positions += [(r * c, height, r * s) for c, s in circle()]
+        normals += [tuple(n / math.hypot(1, slope) for n in (-slope * c, 1, -slope * s)) for c, s in circle()]
+    return positions, normals, stitched(len(radii))
+
+
+def flat_rest(inner):
+    """From the circle of radius `inner` to the edge of the square that the water fills."""
+    edge = [(WATER_HALF_WIDTH * c / max(abs(c), abs(s)), 0, WATER_HALF_WIDTH * s / max(abs(c), abs(s))) for c, s in circle()]
+    positions = [(inner * c, 0, inner * s) for c, s in circle()] + edge
+    return positions, [(0, 1, 0)] * len(positions), stitched(2)
+
+
+def scene(radius, depth, radii, half_width):
+    """The post of `radius`, seen from below the surface over +-half_width; the sun is vertical, 1 lx."""
+    result = Scene()
+
+    def matte(name):
+        return result.material(name, (0.5, 0.5, 0.5), extensions={"KHR_materials_specular": {"specularFactor": 0}}, meniscus_ignore=1)
+
+    def water(name, **extras):
+        return result.material(name, roughness=0, **extras, extensions={
+            "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.333},
+            "KHR_materials_volume": {"thicknessFactor": 0.01}})
+
+    result.mesh("floor", square(WATER_HALF_WIDTH, -WATER_DEPTH), matte("floor"))
+    result.mesh("meniscus", depression(radius, depth, radii), water("meniscus", meniscus_target=1))
+    result.mesh("water", flat_rest(radii[-1]), water("flat water"))
+    result.mesh("post", cylinder(radius, (0, -WATER_DEPTH, 0), (0, 10 * MM, 0), AROUND), matte("post"))
+    result.light("sun", "directional", 1, (0, 100 * MM, 0), (0, 0, 0))
+    result.camera((0, -4 * MM, 0), (0, -WATER_DEPTH, 0), half_width=half_width)
+    return result
+
+
+def dep():
+    """A post of 4 mm: rings densest where the surface is steepest."""
+    return scene(2 * MM, 1.5 * MM, [2 * MM + 12 * MM * (i / RINGS) ** 2 for i in range(RINGS + 1)], 12.2 * MM)
+
+
+def fibdep():
+    """A fibre of 0.1 mm: each ring wider than the last by the same factor."""
+    inner, outer = 0.05 * MM, 12.05 * MM
+    return scene(inner, 0.2 * MM, [inner * (outer / inner) ** (i / RINGS) for i in range(RINGS + 1)], 3.2 * MM)
+
+
+SCENES = {"dep": dep, "fibdep": fibdep}
+
+
+def write_scenes(folder):
+    """Writes FOLDER/NAME.gltf for all SCENES."""
+    os.makedirs(folder, exist_ok=True)
+    for name, make in SCENES.items():
+        make().write(os.path.join(folder, name + ".gltf"))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: tools/scenes/depression.py FOLDER")
+    write_scenes(sys.argv[1])
