@@ -51,8 +51,19 @@ def flat_rest(inner):
     return positions, [(0, 1, 0)] * len(positions), stitched(2)
 
 
-def scene(radius, depth, radii, half_width):
-    """The post of `radius`, seen from below the surface over +-half_width; the sun is vertical, 1 lx."""
+class Parts:
+    """Meshes of a scene round the post of `radius`, and half the width that is seen of it."""
+
+    def __init__(self, radius, depth, radii, half_width):
+        self.half_width = half_width
+        self.floor = square(WATER_HALF_WIDTH, -WATER_DEPTH)
+        self.meniscus = depression(radius, depth, radii)
+        self.rest = flat_rest(radii[-1])
+        self.post = cylinder(radius, (0, -WATER_DEPTH, 0), (0, 10 * MM, 0), AROUND)
+
+
+def scene(parts):
+    """Seen from below the surface; the sun is vertical, 1 lx."""
     result = Scene()
 
     def matte(name):
@@ -63,24 +74,24 @@ def scene(radius, depth, radii, half_width):
             "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.333},
             "KHR_materials_volume": {"thicknessFactor": 0.01}})
 
-    result.mesh("floor", square(WATER_HALF_WIDTH, -WATER_DEPTH), matte("floor"))
-    result.mesh("meniscus", depression(radius, depth, radii), water("meniscus", meniscus_target=1))
-    result.mesh("water", flat_rest(radii[-1]), water("flat water"))
-    result.mesh("post", cylinder(radius, (0, -WATER_DEPTH, 0), (0, 10 * MM, 0), AROUND), matte("post"))
+    result.mesh("floor", parts.floor, matte("floor"))
+    result.mesh("meniscus", parts.meniscus, water("meniscus", meniscus_target=1))
+    result.mesh("water", parts.rest, water("flat water"))
+    result.mesh("post", parts.post, matte("post"))
     result.light("sun", "directional", 1, (0, 100 * MM, 0), (0, 0, 0))
-    result.camera((0, -4 * MM, 0), (0, -WATER_DEPTH, 0), half_width=half_width)
+    result.camera((0, -4 * MM, 0), (0, -WATER_DEPTH, 0), half_width=parts.half_width)
     return result
 
 
 def dep():
     """A post of 4 mm: rings densest where the surface is steepest."""
-    return scene(2 * MM, 1.5 * MM, [2 * MM + 12 * MM * (i / RINGS) ** 2 for i in range(RINGS + 1)], 12.2 * MM)
+    return Parts(2 * MM, 1.5 * MM, [2 * MM + 12 * MM * (i / RINGS) ** 2 for i in range(RINGS + 1)], 12.2 * MM)
 
 
 def fibdep():
     """A fibre of 0.1 mm: each ring wider than the last by the same factor."""
     inner, outer = 0.05 * MM, 12.05 * MM
-    return scene(inner, 0.2 * MM, [inner * (outer / inner) ** (i / RINGS) for i in range(RINGS + 1)], 3.2 * MM)
+    return Parts(inner, 0.2 * MM, [inner * (outer / inner) ** (i / RINGS) for i in range(RINGS + 1)], 3.2 * MM)
 
 
 SCENES = {"dep": dep, "fibdep": fibdep}
@@ -89,8 +100,8 @@ SCENES = {"dep": dep, "fibdep": fibdep}
 def write_scenes(folder):
     """Writes FOLDER/NAME.gltf for all SCENES."""
     os.makedirs(folder, exist_ok=True)
-    for name, make in SCENES.items():
-        make().write(os.path.join(folder, name + ".gltf"))
+    for name, parts in SCENES.items():
+        scene(parts()).write(os.path.join(folder, name + ".gltf"))
 
 
 if __name__ == "__main__":
