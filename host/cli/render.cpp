@@ -16,6 +16,7 @@
 #include "host/image/atomic_file.h"
 #include "host/image/exr.h"
 #include "host/image/png.h"
+#include "host/passes/fetch_probe.h"
 #include "host/reference/backend.h"
 #include "host/render/gpu_backend.h"
 #include "host/render/header.h"
@@ -29,7 +30,9 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 std::unique_ptr<Backend> make_backend(const std::string& device, const World& world, const RenderSettings& settings) {
   if (device == "cpu") return std::make_unique<reference::ReferenceBackend>(world, settings);
-  return std::make_unique<GpuBackend>(gpu::Device::open(device), world, settings);
+  gpu::Device opened = gpu::Device::open(device);
+  passes::choose_by_measurement(opened);
+  return std::make_unique<GpuBackend>(std::move(opened), world, settings);
 }
 
 void require_outputs(const RenderOptions& options) {

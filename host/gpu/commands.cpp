@@ -83,6 +83,8 @@ void Commands::copy(const Buffer& source, Buffer& target, size_t bytes, size_t s
   context_->vk.vkCmdCopyBuffer(buffer_.commands, source.handle(), target.handle(), 1, &region);
 }
 
+const Choices& Commands::choices() const { return context_->choices; }
+
 void Commands::barrier() {
   begin();
   memory_barrier(*context_, buffer_.commands);

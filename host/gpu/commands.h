@@ -40,6 +40,8 @@ class Commands {
   // lost or out of memory, naming the passes submitted.
   void submit_and_wait();
 
+  const Choices& choices() const;  // of the device
+
   // Wall time of the last submission, from submit to the end of the wait: what the next one's size is chosen by.
   double last_submit_seconds() const { return last_submit_seconds_; }
   // Seconds on the device, summed since construction by pass name; dispatches that overlap (no barrier) count in each.

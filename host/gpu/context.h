@@ -4,7 +4,7 @@
 #include <array>
 #include <mutex>
 
-#include "host/gpu/device.h"
+#include "host/gpu/choices.h"
 #include "host/gpu/owned.h"
 #include "host/gpu/vulkan.h"
 
@@ -25,6 +25,7 @@ struct Context {
 
   DeviceInfo info{};
   Limits limits{};
+  Choices choices{};
   VkPhysicalDeviceMemoryProperties memory{};
   uint32_t timestamp_bits = 0;
 

@@ -67,6 +67,9 @@ bool has_extension(VkPhysicalDevice physical, const char* name) {
 void read_limits(Context& context) {
   auto allocation =
       vk_structure<VkPhysicalDeviceMaintenance3Properties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES);
+  auto subgroup =
+      vk_structure<VkPhysicalDeviceSubgroupProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES);
+  allocation.pNext = &subgroup;
   VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &allocation, {}};
   vkGetPhysicalDeviceProperties2(context.physical, &properties);
   vkGetPhysicalDeviceMemoryProperties(context.physical, &context.memory);
@@ -82,6 +85,7 @@ void read_limits(Context& context) {
   limits.max_texel_buffers = given.maxPerStageDescriptorSampledImages;
   limits.max_texel_elements = given.maxTexelBufferElements;
   limits.max_workgroup_size = std::min(given.maxComputeWorkGroupSize[0], given.maxComputeWorkGroupInvocations);
+  limits.subgroup_size = subgroup.subgroupSize;
   limits.max_shared_memory = given.maxComputeSharedMemorySize;
   limits.max_push_bytes = given.maxPushConstantsSize;
   limits.timestamps = context.timestamp_bits > 0;
@@ -149,6 +153,7 @@ Device Device::open(const std::string& selector, bool validation) {
   context->info = chosen.info;
   read_limits(*context);
   create_device(*context);
+  context->choices = choose(context->info, context->limits);
   return Device(std::move(context));
 }
 
@@ -156,6 +161,8 @@ Device::Device(std::shared_ptr<Context> context) : context_(std::move(context)) 
 
 const DeviceInfo& Device::info() const { return context_->info; }
 const Limits& Device::limits() const { return context_->limits; }
+const Choices& Device::choices() const { return context_->choices; }
+void Device::set_choices(const Choices& choices) { context_->choices = choices; }
 bool Device::has_validation() const { return context_->validation; }
 const std::vector<std::string>& Device::validation_messages() const { return context_->messages; }
 size_t Device::bytes_now() const { return context_->bytes_now; }

@@ -11,6 +11,7 @@
 namespace meniscal::gpu {
 
 struct Context;  // Vulkan's handles: context.h, for this folder alone
+struct Choices;  // choices.h
 
 struct DeviceInfo {
   int index;             // what `--device INDEX` names; the order the drivers report
@@ -27,6 +28,7 @@ struct Limits {
   uint32_t max_texel_buffers;
   size_t max_texel_elements;    // texels of one texel buffer; Vulkan guarantees no more than 65,536
   uint32_t max_workgroup_size;  // invocations of a workgroup of shape (n, 1, 1)
+  uint32_t subgroup_size;       // invocations that run in lockstep
   size_t max_shared_memory;     // of one workgroup
   size_t max_push_bytes;        // 128 is guaranteed
   size_t heap;                  // largest device-local memory heap
@@ -48,6 +50,9 @@ class Device {
 
   const DeviceInfo& info() const;
   const Limits& limits() const;
+  // How the renderer works on this device; by default choose(info(), limits()). To be set before passes are made.
+  const Choices& choices() const;
+  void set_choices(const Choices& choices);
   bool has_validation() const;
   // Text of every warning and error so far, from the layer and the loader.
   const std::vector<std::string>& validation_messages() const;

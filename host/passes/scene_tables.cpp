@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "host/gpu/choices.h"
 #include "shaders/shared/bindings.h"
 
 namespace meniscal::passes {
@@ -76,8 +77,7 @@ SceneTables::SceneTables(const gpu::Device& device, const World& world, std::siz
       targets(upload(device, "targets", world.targets)),
       counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
       scene_constants(constants_of(world)),
-      texel(allow_texel &&
-            std::max(largest_table, scene.bytes() / sizeof(Texel)) <= device.limits().max_texel_elements) {}
+      texel(allow_texel && device.choices().reads_texels(std::max(largest_table, scene.bytes() / sizeof(Texel)))) {}
 
 void SceneTables::collect_counters() {
   const auto now = counters.download<std::uint32_t>();

@@ -143,6 +143,11 @@ struct CameraPush {
   float most_shift;   // from where a ray ends to where the pixel's centre sees, m; beyond, differentials tell nothing
 };
 
+struct ProbePush {
+  uint mask;   // elements of the table - 1 (a power of two)
+  uint count;  // invocations
+};
+
 struct GatherPush {
   float narrowest;  // half-width of level 0; level i holds discs of up to 2^i times that
   uint levels;
