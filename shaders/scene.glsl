@@ -67,68 +67,69 @@ float edge_area(vec3 a, vec3 b) {
   return area;
 }
 
-void meet_triangle(RayFrame frame, uint triangle, inout Hit hit) {
-  uint record = 4u * (TRIANGLE_BASE + triangle);
-  vec3 a = see(frame, uintBitsToFloat(FETCH(scene, record).xyz));
-  vec3 b = see(frame, uintBitsToFloat(FETCH(scene, record + 1u).xyz));
-  vec3 c = see(frame, uintBitsToFloat(FETCH(scene, record + 2u).xyz));
+// Keeps the hit with the triangle of these corners where it is nearer than `hit` and `asked` for.
+void meet_triangle(RayFrame frame, vec3 p, vec3 q, vec3 r, uint triangle, bool asked, inout Hit hit) {
+  vec3 a = see(frame, p), b = see(frame, q), c = see(frame, r);
   float wa = edge_area(b, c), wb = edge_area(c, a), wc = edge_area(a, b);
   bool inside = min(wa, min(wb, wc)) >= 0.0 || max(wa, max(wb, wc)) <= 0.0;
   float sum = wa + wb + wc;
   float t = (wa * a.z + wb * b.z + wc * c.z) / sum;
-  if (inside && sum != 0.0 && t > 0.0 && t < hit.t) hit = Hit(t, triangle, wb / sum, wc / sum);
+  if (asked && inside && sum != 0.0 && t > 0.0 && t < hit.t) hit = Hit(t, triangle, wb / sum, wc / sum);
 }
 
 uint rays_traced = 0u;  // by this invocation; added to the counter at its end
 
 // Closest hit of origin + t direction (a unit vector) with 0 < t < t_max, leaving out triangle `skip` (the one the ray starts on).
-// With any_hit the first one found. One loop over nodes and triangles alike: each turn fetches one 64-byte record.
+// With any_hit the first one found. One loop over nodes and triangles alike: each turn fetches one 64-byte record and does both tests,
+// since software drivers run both sides of a branch anyway. The top 8 entries of the stack are in registers, whose shifting costs less
+// than an access by a computed index; what they cannot hold goes to an array, outside the inner loop.
 Hit intersect(vec3 origin, vec3 direction, float t_max, uint skip, bool any_hit) {
   rays_traced += 1u;
   Hit hit = Hit(t_max, NO_TRIANGLE, 0.0, 0.0);
   RayFrame frame = make_frame(origin, direction);
   vec3 safe = mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
   vec3 inverse = 1.0 / safe;
-  uint stack[TRAVERSAL_STACK];
-  uint top = 0u;
+  uint deep[TRAVERSAL_STACK];
+  uint deep_count = 0u;
+  uvec4 top = uvec4(BVH_EMPTY), below = uvec4(BVH_EMPTY);
   uint reference = 0u;
   uint step = 0u;
-  for (; step < TRAVERSAL_LIMIT && reference != BVH_EMPTY; ++step) {
-    bool pop = false;
-    if ((reference & BVH_LEAF) != 0u) {
+  while (reference != BVH_EMPTY) {
+    for (; step < TRAVERSAL_LIMIT && reference != BVH_EMPTY && below.w == BVH_EMPTY; ++step) {
+      bool leaf = (reference & BVH_LEAF) != 0u;
       uint triangle = reference & BVH_FIRST_MASK;
-      if (triangle != skip) meet_triangle(frame, triangle, hit);
-      uint more = (reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK;
-      // The next triangle of the leaf: one fewer left, one further on.
-      if (more != 0u) reference = reference - (1u << BVH_COUNT_SHIFT) + 1u;
-      pop = more == 0u;
-      if (any_hit && hit.triangle != NO_TRIANGLE) {
-        top = 0u;
-        pop = true;
-      }
-    } else {
-      uint record = 4u * reference;
-      uvec4 low0 = FETCH(scene, record), high0 = FETCH(scene, record + 1u);
-      uvec4 low1 = FETCH(scene, record + 2u), high1 = FETCH(scene, record + 3u);
-      float near0 = enter_box(uintBitsToFloat(low0.xyz), uintBitsToFloat(high0.xyz), origin, inverse, hit.t);
-      float near1 = enter_box(uintBitsToFloat(low1.xyz), uintBitsToFloat(high1.xyz), origin, inverse, hit.t);
-      bool hit0 = near0 < MISS, hit1 = near1 < MISS;
+      uint record = 4u * (leaf ? TRIANGLE_BASE + triangle : reference);
+      uvec4 bits0 = FETCH(scene, record), bits1 = FETCH(scene, record + 1u);
+      uvec4 bits2 = FETCH(scene, record + 2u), bits3 = FETCH(scene, record + 3u);
+      vec3 v0 = uintBitsToFloat(bits0.xyz), v1 = uintBitsToFloat(bits1.xyz), v2 = uintBitsToFloat(bits2.xyz);
+      meet_triangle(frame, v0, v1, v2, triangle, leaf && triangle != skip, hit);
+      float near0 = enter_box(v0, v1, origin, inverse, hit.t);
+      float near1 = enter_box(v2, uintBitsToFloat(bits3.xyz), origin, inverse, hit.t);
+      bool hit0 = !leaf && near0 < MISS, hit1 = !leaf && near1 < MISS;
       bool swap = near1 < near0;
-      uint first = swap ? high0.w : low0.w, second = swap ? low0.w : high0.w;
-      if (hit0 && hit1) {
-        stack[top] = second;
-        top += 1u;
-      }
-      reference = first;
-      pop = !hit0 && !hit1;
-    }
-    if (pop) {
-      reference = BVH_EMPTY;
-      if (top > 0u) {
-        top -= 1u;
-        reference = stack[top];
+      bool more = leaf && ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK) != 0u;
+      bool push = hit0 && hit1, pop = !(hit0 || hit1 || more);
+      // The next triangle of a leaf: one fewer left, one further on.
+      uint next = leaf ? reference - (1u << BVH_COUNT_SHIFT) + 1u : swap ? bits1.w : bits0.w;
+      reference = pop ? top.x : next;
+      uint fifth = below.x;
+      below = push ? uvec4(top.w, below.xyz) : pop ? uvec4(below.yzw, BVH_EMPTY) : below;
+      top = push ? uvec4(swap ? bits0.w : bits1.w, top.xyz) : pop ? uvec4(top.yzw, fifth) : top;
+      if (any_hit && hit.triangle != NO_TRIANGLE) {
+        reference = BVH_EMPTY;
+        deep_count = 0u;
       }
     }
+    if (below.w != BVH_EMPTY) {
+      for (uint i = 0u; i < 4u; ++i) deep[deep_count + i] = below[3u - i];
+      deep_count += 4u;
+      below = uvec4(BVH_EMPTY);
+    }
+    if (reference == BVH_EMPTY && deep_count > 0u) {
+      deep_count -= 1u;
+      reference = deep[deep_count];
+    }
+    if (step == TRAVERSAL_LIMIT) reference = BVH_EMPTY;
   }
   if (step == TRAVERSAL_LIMIT) atomicAdd(counters[COUNTER_TRAVERSAL_LIMIT], 1u);
   return hit;
