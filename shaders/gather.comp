@@ -12,8 +12,16 @@ layout(set = 0, binding = 1, std430) readonly buffer Cells { uvec2 cells[]; };
 layout(set = 0, binding = 2, std430) buffer Samples { PixelSample samples[]; };
 layout(set = 0, binding = 3, std430) buffer Counters { uint counters[]; };
 
+// Pixels that run together lie in blocks of 8 x 8, and in those in blocks of 4 x 2: they read the same cells.
+uint pixel_of(uint invocation) {
+  uint block = invocation / 64u, place = invocation % 64u, blocks = (push.width + 7u) / 8u;
+  uint x = 8u * (block % blocks) + (place & 3u) + ((place >> 1u) & 4u);
+  uint y = 8u * (block / blocks) + ((place >> 2u) & 1u) + ((place >> 3u) & 6u);
+  return x < push.width ? y * push.width + x : push.pixels;
+}
+
 void main() {
-  uint i = push.first_pixel + invocation_index();
+  uint i = pixel_of(push.first + invocation_index());
   if (i >= push.pixels || samples[i].triangle >= END_FIRST) return;
   vec3 position = samples[i].position, normal = samples[i].normal;
   vec3 targeted = vec3(0.0), caustic = vec3(0.0);

@@ -9,7 +9,7 @@ packages=(
   libglm-dev libopenmesh-dev libembree-dev libtinygltf-dev
   libopenexr-dev libpng-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
-  libgtest-dev
+  libgtest-dev libbenchmark-dev
 )
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

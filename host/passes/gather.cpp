@@ -12,6 +12,12 @@ std::vector<gpu::Binding> layout(bool texel) {
           {3, gpu::Kind::storage}};
 }
 
+// Pixels run in blocks of 8 x 8, whole ones at the edges too.
+std::uint32_t invocations(const PixelTile& tile) {
+  const std::uint32_t rows = (tile.count + tile.width - 1) / tile.width;
+  return (tile.width + 7) / 8 * ((rows + 7) / 8) * 64;
+}
+
 }  // namespace
 
 GatherPass::GatherPass(const gpu::Device& device, const CellsPass& map, const std::vector<PixelTile>& tiles, bool texel)
@@ -32,9 +38,10 @@ void GatherPass::run(gpu::Commands& commands, const Grid& grid) {
   std::uint32_t most = 0;
   while (push.first_candidate <= most) {
     for (std::size_t t = 0; t < tiles_.size(); ++t)
-      batch_.run(commands, tiles_[t].count, [&](std::uint32_t first, std::uint32_t count) {
-        push.first_pixel = first;
-        push.pixels = first + count;
+      batch_.run(commands, invocations(tiles_[t]), [&](std::uint32_t first, std::uint32_t count) {
+        push.first = first;
+        push.pixels = tiles_[t].count;
+        push.width = tiles_[t].width;
         commands.barrier();
         commands.dispatch(pass_, buffers_[t], push, groups_of_64(count));
       });

@@ -8,16 +8,20 @@ namespace meniscal::passes {
 
 struct PixelTile {
   std::uint32_t first, count;  // pixels of the crop, row by row
+  std::uint32_t width;         // of a row
   gpu::Buffer samples;         // PixelSample[count]
 };
 
-inline std::vector<PixelTile> make_tiles(const gpu::Device& device, std::size_t pixels) {
+// Whole rows of `width` pixels each. Rows of 8 serve where the image's are not known: neighbours are then found along x
+// only.
+inline std::vector<PixelTile> make_tiles(const gpu::Device& device, std::size_t pixels, std::uint32_t width = 8) {
   const std::size_t most =
       std::min<std::size_t>(device.limits().max_storage_range / sizeof(shared::PixelSample), 1u << 20);
+  const std::size_t rows = std::max<std::size_t>(most / width, 1) * width;
   std::vector<PixelTile> tiles;
-  for (std::size_t first = 0; first < pixels; first += most) {
-    const std::size_t count = std::min(most, pixels - first);
-    tiles.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
+  for (std::size_t first = 0; first < pixels; first += rows) {
+    const std::size_t count = std::min(rows, pixels - first);
+    tiles.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), width,
                      gpu::Buffer(device, "pixel samples", count * sizeof(shared::PixelSample))});
   }
   return tiles;

@@ -152,10 +152,10 @@ struct GatherPush {
   float narrowest;  // half-width of level 0; level i holds discs of up to 2^i times that
   uint levels;
   uint cell_mask;
-  uint pixels;
+  uint pixels, width;    // in the buffer; of a row
   uint first_candidate;  // candidates (photons in the cells around) tested by earlier rounds
-  uint first_pixel;      // of invocation 0; up to `pixels`, one past the last
-  uint pad0, pad1;
+  uint first;            // invocation of this dispatch's first
+  uint pad0;
 };
 
 // Steps of the hash grid's making; shaders/cells.comp says what each does.
