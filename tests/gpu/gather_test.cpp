@@ -6,13 +6,15 @@
 namespace meniscal {
 namespace {
 
-class Gather : public testing::TestWithParam<std::uint32_t> {};  // image's width
+class Gather : public testing::TestWithParam<std::pair<std::uint32_t, std::uint32_t>> {};  // image's width, cells
 
 TEST_P(Gather, IsThePlainSum) {
   REQUIRE_DEVICE();
-  const auto setup = test::make_setup("post", test::small_options(100000, static_cast<int>(GetParam()), 45));
+  const auto [width, cells] = GetParam();
+  const auto setup = test::make_setup("post", test::small_options(100000, static_cast<int>(width), 45));
   const gpu::Device device = gpu::Device::open("auto", true);
   test::GpuMap map(device, setup->world, setup->settings);
+  map.grid.mask = cells - 1;
   map.prepare();
   map.build_grid();
   map.gather_all();
@@ -32,9 +34,10 @@ TEST_P(Gather, IsThePlainSum) {
   EXPECT_TRUE(device.validation_messages().empty());
 }
 
-// Rows that are and are not whole blocks of pixels.
-INSTANTIATE_TEST_SUITE_P(Widths, Gather, testing::Values(64u, 61u, 3u),
-                         [](const auto& tested) { return std::to_string(tested.param); });
+// Rows that are and are not whole blocks of pixels; so few cells that neighbours share keys.
+INSTANTIATE_TEST_SUITE_P(Widths, Gather,
+                         testing::Values(std::pair{64u, 1u << 14}, std::pair{61u, 16u}, std::pair{3u, 1u << 14}),
+                         [](const auto& tested) { return std::to_string(tested.param.first); });
 
 }  // namespace
 }  // namespace meniscal
