@@ -22,7 +22,7 @@ struct Bvh {
   uint32_t depth = 0;                  // inner nodes on the longest way down: what a traversal's stack must hold
 };
 
-// Surface-area heuristic by Embree 3 (rtcBuildBVH, medium quality) on one thread: the same input gives the same tree.
+// Surface-area heuristic over binned centres, on one thread: the same input gives the same tree.
 // Where it would be deeper than max_depth, halving by count instead, which gives at most 26 levels. Boxes are floats
 // that contain the triangles, in double and as rounded to a float corner and two float edges. Throws
 // Error(ExitCode::scene) for coordinates that are not finite or beyond 1e37, and for 2^27 triangles or more.

@@ -1,84 +1,136 @@
-#include <embree3/rtcore.h>
-
-#include <memory>
-#include <string>
-#include <type_traits>
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "host/bvh/tree.h"
-#include "host/error.h"
 
 namespace meniscal {
 namespace {
 
-template <auto release>
-struct Release {
-  template <class Handle>
-  void operator()(Handle handle) const {
-    release(handle);
+struct Item {
+  Box box;
+  uint32_t triangle;
+  glm::vec3 centre() const { return 0.5f * box.min + 0.5f * box.max; }
+};
+
+double half_area(const Box& box) {
+  const glm::dvec3 size = glm::dvec3(box.max) - glm::dvec3(box.min);
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+struct Bin {
+  Box box;
+  uint32_t count = 0;
+  void grow(const Bin& other) {
+    box.grow(other.box);
+    count += other.count;
   }
 };
-using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release<rtcReleaseDevice>>;
-using EmbreeBvh = std::unique_ptr<std::remove_pointer_t<RTCBVH>, Release<rtcReleaseBVH>>;
 
-void* create_node(RTCThreadLocalAllocator, unsigned, void* nodes) { return static_cast<TreeNodes*>(nodes)->make(); }
+// A plane across `axis` behind bin `last`; cost: areas times triangles of both sides.
+struct Split {
+  int axis = 0, last = 0;
+  double cost = std::numeric_limits<double>::infinity();
+};
 
-void set_children(void* node, void** children, unsigned count, void*) {
-  for (unsigned i = 0; i < count; ++i)
-    static_cast<TreeNode*>(node)->child[i] = static_cast<const TreeNode*>(children[i]);
-}
+// Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007.
+class Binning {
+ public:
+  Binning(TreeNodes& nodes, uint32_t max_depth) : nodes_(nodes), max_depth_(max_depth) {}
 
-void set_bounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
-  for (unsigned i = 0; i < count; ++i) {
-    const RTCBounds& b = *bounds[i];
-    static_cast<TreeNode*>(node)->box[i] = {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
+  // Null where the tree would be deeper than allowed.
+  const TreeNode* build(std::span<Item> items, const Box& box, uint32_t depth) {
+    const Places places(items);
+    const Split split = best_split(items, places);
+    // A step of the tracers fetches one record, node or triangle: both cost 1.
+    if (items.size() <= shared::BVH_MAX_LEAF &&
+        static_cast<double>(items.size()) * half_area(box) <= half_area(box) + split.cost)
+      return leaf(items);
+    if (depth > max_depth_) return nullptr;
+    auto middle = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
+    if (split.cost < std::numeric_limits<double>::infinity())
+      middle = std::partition(items.begin(), items.end(),
+                              [&](const Item& i) { return places.bin(i)[split.axis] <= split.last; });
+    TreeNode* const node = nodes_.make();
+    const std::array halves{std::span(items.begin(), middle), std::span(middle, items.end())};
+    for (size_t side = 0; side < 2; ++side) {
+      for (const Item& i : halves[side]) node->box[side].grow(i.box);
+      node->child[side] = build(halves[side], node->box[side], depth + 1);
+      if (!node->child[side]) return nullptr;
+    }
+    return node;
   }
-}
 
-void* create_leaf(RTCThreadLocalAllocator, const RTCBuildPrimitive* primitives, size_t count, void* nodes) {
-  TreeNode* const leaf = static_cast<TreeNodes*>(nodes)->make();
-  leaf->count = static_cast<uint32_t>(count);
-  for (size_t i = 0; i < count; ++i) leaf->triangles[i] = primitives[i].primID;
-  return leaf;
-}
+ private:
+  static constexpr int most_bins = 16;
+
+  // Which bin of each axis an item's centre falls into.
+  struct Places {
+    int bins;  // few items want few
+    glm::vec3 low, per_size;
+    explicit Places(std::span<const Item> items)
+        : bins(static_cast<int>(std::min<size_t>(most_bins, 4 + items.size() / 8))) {
+      Box centres;
+      for (const Item& i : items) centres.grow({i.centre(), i.centre()});
+      low = centres.min;
+      for (int axis = 0; axis < 3; ++axis) {
+        const float size = centres.max[axis] - low[axis];
+        per_size[axis] = size > 0 && static_cast<float>(bins) / size < 1e37f ? static_cast<float>(bins) / size : 0;
+      }
+    }
+    glm::ivec3 bin(const Item& item) const {
+      return glm::min(glm::ivec3((item.centre() - low) * per_size), glm::ivec3(bins - 1));
+    }
+  };
+
+  static Split best_split(std::span<const Item> items, const Places& places) {
+    const int bins = places.bins;
+    std::array<std::array<Bin, most_bins>, 3> table;
+    for (const Item& i : items) {
+      const glm::ivec3 bin = places.bin(i);
+      for (int axis = 0; axis < 3; ++axis) table[axis][bin[axis]].grow({i.box, 1});
+    }
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::array<double, most_bins> above{};  // cost of what is behind each bin; 0: nothing
+      Bin sum;
+      for (int b = bins - 1; b > 0; --b) {
+        sum.grow(table[axis][b]);
+        if (sum.count > 0) above[b - 1] = half_area(sum.box) * sum.count;
+      }
+      sum = {};
+      for (int b = 0; b + 1 < bins && sum.count + table[axis][b].count < items.size(); ++b) {
+        sum.grow(table[axis][b]);
+        if (sum.count == 0) continue;
+        const double cost = half_area(sum.box) * sum.count + above[b];
+        if (cost < best.cost) best = {axis, b, cost};
+      }
+    }
+    return best;
+  }
+
+  const TreeNode* leaf(std::span<const Item> items) {
+    TreeNode* const node = nodes_.make();
+    node->count = static_cast<uint32_t>(items.size());
+    std::ranges::transform(items, node->triangles.begin(), &Item::triangle);
+    return node;
+  }
+
+  TreeNodes& nodes_;
+  uint32_t max_depth_;
+};
 
 }  // namespace
 
 const TreeNode* build_sah_tree(std::span<const Box> boxes, uint32_t max_depth, TreeNodes& nodes) {
-  std::vector<RTCBuildPrimitive> primitives;
-  primitives.reserve(boxes.size());
-  for (size_t i = 0; i < boxes.size(); ++i) {
-    const auto& [low, high] = boxes[i];
-    primitives.push_back({low.x, low.y, low.z, 0, high.x, high.y, high.z, static_cast<unsigned>(i)});
+  std::vector<Item> items;
+  items.reserve(boxes.size());
+  Box all;
+  for (const Box& box : boxes) {
+    items.push_back({box, static_cast<uint32_t>(items.size())});
+    all.grow(box);
   }
-  // One thread: the order of what several finish would leak into the tree.
-  const Device device(rtcNewDevice("threads=1"));
-  if (!device)
-    throw Error(ExitCode::failed, "Embree could not start: error " + std::to_string(rtcGetDeviceError(nullptr)));
-  const EmbreeBvh bvh(rtcNewBVH(device.get()));
-
-  RTCBuildArguments arguments = rtcDefaultBuildArguments();
-  arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
-  arguments.maxBranchingFactor = 2;
-  arguments.maxDepth = max_depth;
-  // A step of the tracers fetches one record, node or triangle: both cost 1. Leaves of up to 4 then take as few steps a
-  // ray as of 1 or 2, within 1 %, or fewer (measured on sheets, soups and slivers), and half the memory.
-  arguments.traversalCost = arguments.intersectionCost = 1;
-  arguments.maxLeafSize = shared::BVH_MAX_LEAF;
-  arguments.bvh = bvh.get();
-  arguments.primitives = primitives.data();
-  arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
-  arguments.createNode = create_node;
-  arguments.setNodeChildren = set_children;
-  arguments.setNodeBounds = set_bounds;
-  arguments.createLeaf = create_leaf;
-  arguments.userPtr = &nodes;
-  const void* const root = rtcBuildBVH(&arguments);
-  if (rtcGetDeviceError(device.get()) == RTC_ERROR_OUT_OF_MEMORY) {
-    throw Error(ExitCode::failed, "out of memory while building the hierarchy of " + std::to_string(boxes.size()) +
-                                      " triangles; use a machine with more, or a smaller scene");
-  }
-  return static_cast<const TreeNode*>(root);  // null: Embree's depth limit was reached
+  return Binning(nodes, max_depth).build(items, all, 1);
 }
 
 }  // namespace meniscal

@@ -6,7 +6,6 @@
 #include <deque>
 #include <glm/glm.hpp>
 #include <limits>
-#include <mutex>
 #include <span>
 
 #include "shaders/shared/bvh_node.h"
@@ -30,16 +29,12 @@ struct TreeNode {
   std::array<uint32_t, shared::BVH_MAX_LEAF> triangles{};
 };
 
-// Owns the nodes; their addresses hold. Embree may call from its own threads, hence the lock.
+// Owns the nodes; their addresses hold.
 class TreeNodes {
  public:
-  TreeNode* make() {
-    const std::lock_guard lock(mutex_);
-    return &nodes_.emplace_back();
-  }
+  TreeNode* make() { return &nodes_.emplace_back(); }
 
  private:
-  std::mutex mutex_;
   std::deque<TreeNode> nodes_;
 };
 
