@@ -16,7 +16,7 @@ vec3 around(vec3 axis, float sine, float cosine, float turn) {
 // From one of the lights, by power. `place`, uniform in the square: where on the disc across a distant light, or where to from others.
 Emission emit(vec2 place, uint light_first, uint light_count, RandomKey key) {
   float rest, weight;
-  Light light = lights[pick(light_first, light_count, random_bits(key, DIM_LIGHT), rest, weight)];
+  Light light = fetch_light(pick(light_first, light_count, random_bits(key, DIM_LIGHT), rest, weight));
   Emission e = Emission(light.position, light.direction, light.intensity * weight, NO_TRIANGLE);
   if (light.type == LIGHT_DIRECTIONAL) {
     e.origin = SCENE_RADIUS * around(light.direction, sqrt(place.x), -1.01, place.y);

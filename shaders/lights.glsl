@@ -12,7 +12,7 @@ const float FAR = 1e30;
 
 // `weight`: 1 / probability of having chosen this light.
 LightSample sample_light(uint index, float weight, vec3 point, RandomKey key) {
-  Light light = lights[index];
+  Light light = fetch_light(index);
   LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE);
   if (HAS_AREA && light.type == LIGHT_AREA) {
     float root = sqrt(random_unit(key, DIM_LIGHT_U)), v = random_unit(key, DIM_LIGHT_V) * root;

@@ -6,10 +6,10 @@
 
 FETCH_TABLE(BIND_SCENE, scene)
 FETCH_TABLE(BIND_NORMALS, normals)
-layout(set = 0, binding = BIND_SURFACES, std430) readonly buffer Surfaces { Surface surfaces[]; };
-layout(set = 0, binding = BIND_LIGHTS, std430) readonly buffer Lights { Light lights[]; };
-layout(set = 0, binding = BIND_CDF, std430) readonly buffer Cdf { uint cdf[]; };
-layout(set = 0, binding = BIND_TARGETS, std430) readonly buffer Targets { uint targets[]; };
+FETCH_TABLE(BIND_SURFACES, surfaces)
+FETCH_TABLE(BIND_LIGHTS, lights)
+FETCH_TABLE(BIND_CDF, cdf)
+FETCH_TABLE(BIND_TARGETS, targets)
 layout(set = 0, binding = BIND_COUNTERS, std430) buffer Counters { uint counters[]; };
 
 // What the plan says of the scene: dead code goes at pipeline creation.
@@ -24,6 +24,28 @@ layout(constant_id = 7) const bool HAS_ABSORPTION = true;
 layout(constant_id = 8) const float SCENE_RADIUS = 1.0;
 layout(constant_id = 9) const bool HAS_DIFFERENTIALS = true;  // paths carry the derivatives that shape photons' discs
 layout(constant_id = 10) const bool HAS_EMISSION = true;  // photons start on the lights
+
+Surface fetch_surface(uint i) {
+  uvec4 a = FETCH(surfaces, 4u * i), b = FETCH(surfaces, 4u * i + 1u), c = FETCH(surfaces, 4u * i + 2u), d = FETCH(surfaces, 4u * i + 3u);
+  return Surface(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz), c.w,
+                 uintBitsToFloat(d.xyz), d.w);
+}
+
+Light fetch_light(uint i) {
+  uvec4 a = FETCH(lights, 6u * i), b = FETCH(lights, 6u * i + 1u), c = FETCH(lights, 6u * i + 2u);
+  uvec4 d = FETCH(lights, 6u * i + 3u), e = FETCH(lights, 6u * i + 4u), f = FETCH(lights, 6u * i + 5u);
+  return Light(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz), c.w,
+               uintBitsToFloat(d.xyz), uintBitsToFloat(d.w), uintBitsToFloat(e.xyz), e.w, uintBitsToFloat(f.x), uintBitsToFloat(f.y),
+               0.0, 0.0);
+}
+
+// The i-th of numbers packed by four.
+uint unpack(uvec4 four, uint i) {
+  uvec2 two = (i & 2u) == 0u ? four.xy : four.zw;
+  return (i & 1u) == 0u ? two.x : two.y;
+}
+uint fetch_cdf(uint i) { return unpack(FETCH(cdf, i >> 2u), i); }
+uint fetch_target(uint i) { return unpack(FETCH(targets, i >> 2u), i); }
 
 const uint NO_TRIANGLE = 0xFFFFFFFFu;
 
@@ -186,11 +208,11 @@ uint pick(uint first, uint count, uint bits, out float rest, out float weight) {
   bits = min(bits, 0xFFFFFFFEu);
   for (uint i = 0u; i < 32u && low < high; ++i) {
     uint middle = (low + high) >> 1u;
-    if (bits < cdf[first + middle]) high = middle;
+    if (bits < fetch_cdf(first + middle)) high = middle;
     else low = middle + 1u;
   }
-  uint start = low == 0u ? 0u : cdf[first + low - 1u];
-  uint width = cdf[first + low] - start;
+  uint start = low == 0u ? 0u : fetch_cdf(first + low - 1u);
+  uint width = fetch_cdf(first + low) - start;
   rest = min(float(bits - start) / float(width), 0.99999994);
   weight = 4294967296.0 / float(width);
   return low;

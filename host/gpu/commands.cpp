@@ -35,7 +35,7 @@ void Commands::begin() {
 }
 
 void Commands::dispatch(const ComputePass& pass, const BindingSet& buffers, const void* push, size_t push_bytes,
-                        uint32_t groups) {
+                        uint32_t groups, const std::string& stage) {
   if (push_bytes != pass.push_bytes()) {
     misuse("pass '" + pass.name() + "' takes " + std::to_string(pass.push_bytes()) + " bytes of push constants, not " +
            std::to_string(push_bytes));
@@ -60,7 +60,7 @@ void Commands::dispatch(const ComputePass& pass, const BindingSet& buffers, cons
   const uint32_t rows = (groups - 1) / max_groups_x + 1;
   vk.vkCmdDispatch(commands, (groups - 1) / rows + 1, rows, 1);
   stop_timing();
-  dispatched_.push_back(pass.name());
+  dispatched_.push_back(stage.empty() ? pass.name() : stage);
   if (context_->end_label) context_->end_label(commands);
 }
 
@@ -129,7 +129,7 @@ void Commands::add_timings() {
   if (dispatched_.empty()) return;
   if (!context_->limits.timestamps) {
     const bool one = std::ranges::all_of(dispatched_, [&](const auto& name) { return name == dispatched_.front(); });
-    seconds_by_pass_[one ? dispatched_.front() : "mixed"] += last_submit_seconds_;
+    seconds_by_stage_[one ? dispatched_.front() : "mixed"] += last_submit_seconds_;
     return;
   }
   const uint64_t mask = context_->timestamp_bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << context_->timestamp_bits) - 1;
@@ -143,7 +143,7 @@ void Commands::add_timings() {
                     "reading timestamps");
     for (size_t i = 0; i < n; ++i) {
       const uint64_t elapsed = (ticks[2 * i + 1] - ticks[2 * i]) & mask;  // the counter may have wrapped around
-      seconds_by_pass_[dispatched_[first + i]] += static_cast<double>(elapsed) * context_->limits.timestamp_period;
+      seconds_by_stage_[dispatched_[first + i]] += static_cast<double>(elapsed) * context_->limits.timestamp_period;
     }
   }
 }

@@ -18,13 +18,14 @@ class Commands {
   // index
   //   gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x
   // and guard it against their item count: up to one row of workgroups is surplus. groups == 0 records nothing.
-  // push_bytes must equal the pass's; else Error(ExitCode::failed).
+  // push_bytes must equal the pass's; else Error(ExitCode::failed). Times and errors go by `stage`, or the pass's name.
   void dispatch(const ComputePass& pass, const BindingSet& buffers, const void* push, size_t push_bytes,
-                uint32_t groups);
+                uint32_t groups, const std::string& stage = {});
   template <class Push>
-  void dispatch(const ComputePass& pass, const BindingSet& buffers, const Push& push, uint32_t groups) {
+  void dispatch(const ComputePass& pass, const BindingSet& buffers, const Push& push, uint32_t groups,
+                const std::string& stage = {}) {
     static_assert(std::is_trivially_copyable_v<Push> && !std::is_pointer_v<Push>);
-    dispatch(pass, buffers, &push, sizeof(Push), groups);
+    dispatch(pass, buffers, &push, sizeof(Push), groups, stage);
   }
   void dispatch(const ComputePass& pass, const BindingSet& buffers, uint32_t groups) {
     dispatch(pass, buffers, nullptr, 0, groups);
@@ -44,10 +45,10 @@ class Commands {
 
   // Wall time of the last submission, from submit to the end of the wait: what the next one's size is chosen by.
   double last_submit_seconds() const { return last_submit_seconds_; }
-  // Seconds on the device, summed since construction by pass name; dispatches that overlap (no barrier) count in each.
-  // Without Limits::timestamps: wall time, under the pass's name where a submission held one pass alone, else under
+  // Seconds on the device, summed since construction by stage; dispatches that overlap (no barrier) count in each.
+  // Without Limits::timestamps: wall time, under the stage's name where a submission held one alone, else under
   // "mixed".
-  const std::map<std::string, double>& seconds_by_pass() const { return seconds_by_pass_; }
+  const std::map<std::string, double>& seconds_by_stage() const { return seconds_by_stage_; }
 
  private:
   void begin();  // unless begun
@@ -59,9 +60,9 @@ class Commands {
   CommandBuffer buffer_;
   bool recording_ = false;
   std::vector<Owned<VkQueryPool>> queries_;  // grown to hold two timestamps a dispatch
-  std::vector<std::string> dispatched_;      // pass of each dispatch of this recording
+  std::vector<std::string> dispatched_;      // stage of each dispatch of this recording
   double last_submit_seconds_ = 0;
-  std::map<std::string, double> seconds_by_pass_;
+  std::map<std::string, double> seconds_by_stage_;
 };
 
 }  // namespace meniscal::gpu

@@ -1,6 +1,7 @@
 // The hash grid of one map, by a stable radix sort: host side of shaders/cells.comp.
 #pragma once
 
+#include "host/passes/batch.h"
 #include "host/passes/photons.h"
 
 namespace meniscal::passes {

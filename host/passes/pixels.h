@@ -12,9 +12,8 @@ struct PixelTile {
   gpu::Buffer samples;         // PixelSample[count]
 };
 
-// Whole rows of `width` pixels each. Rows of 8 serve where the image's are not known: neighbours are then found along x
-// only.
-inline std::vector<PixelTile> make_tiles(const gpu::Device& device, std::size_t pixels, std::uint32_t width = 8) {
+// Whole rows of `width` pixels each.
+inline std::vector<PixelTile> make_tiles(const gpu::Device& device, std::size_t pixels, std::uint32_t width) {
   const std::size_t most =
       std::min<std::size_t>(device.limits().max_storage_range / sizeof(shared::PixelSample), 1u << 20);
   const std::size_t rows = std::max<std::size_t>(most / width, 1) * width;

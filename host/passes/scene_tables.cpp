@@ -39,6 +39,13 @@ std::vector<Texel> normal_texels(const World& world) {
   return texels;
 }
 
+static_assert(sizeof(shared::Surface) == 4 * sizeof(Texel) && sizeof(shared::Light) == 6 * sizeof(Texel));
+
+std::vector<std::uint32_t> whole_texels(std::vector<std::uint32_t> values) {
+  values.resize((values.size() + 3) / 4 * 4);
+  return values;
+}
+
 template <class T>
 gpu::Buffer upload(const gpu::Device& device, const char* name, const std::vector<T>& values) {
   gpu::Buffer buffer(device, name, values.size() * sizeof(T));
@@ -73,8 +80,8 @@ SceneTables::SceneTables(const gpu::Device& device, const World& world, std::siz
       normals(upload(device, "normals", normal_texels(world))),
       surfaces(upload(device, "surfaces", world.surfaces)),
       lights(upload(device, "lights", world.lights)),
-      cdf(upload(device, "cdf", world.cdf)),
-      targets(upload(device, "targets", world.targets)),
+      cdf(upload(device, "cdf", whole_texels(world.cdf))),
+      targets(upload(device, "targets", whole_texels(world.targets))),
       counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
       scene_constants(constants_of(world)),
       texel(allow_texel && device.choices().reads_texels(std::max(largest_table, scene.bytes() / sizeof(Texel)))) {}
@@ -96,20 +103,20 @@ std::vector<gpu::Binding> SceneTables::layout() const {
   const gpu::Kind table = texel ? gpu::Kind::texel : gpu::Kind::storage;
   return {{BIND_SCENE, table},
           {BIND_NORMALS, table},
-          {BIND_SURFACES, gpu::Kind::storage},
-          {BIND_LIGHTS, gpu::Kind::storage},
-          {BIND_CDF, gpu::Kind::storage},
-          {BIND_TARGETS, gpu::Kind::storage},
+          {BIND_SURFACES, table},
+          {BIND_LIGHTS, table},
+          {BIND_CDF, table},
+          {BIND_TARGETS, table},
           {BIND_COUNTERS, gpu::Kind::storage}};
 }
 
 std::vector<gpu::Bound> SceneTables::bound() const {
   return {{BIND_SCENE, scene, gpu::Format::rgba32ui},
           {BIND_NORMALS, normals, gpu::Format::rgba32ui},
-          {BIND_SURFACES, surfaces},
-          {BIND_LIGHTS, lights},
-          {BIND_CDF, cdf},
-          {BIND_TARGETS, targets},
+          {BIND_SURFACES, surfaces, gpu::Format::rgba32ui},
+          {BIND_LIGHTS, lights, gpu::Format::rgba32ui},
+          {BIND_CDF, cdf, gpu::Format::rgba32ui},
+          {BIND_TARGETS, targets, gpu::Format::rgba32ui},
           {BIND_COUNTERS, counters}};
 }
 

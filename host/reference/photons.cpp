@@ -115,7 +115,7 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
   const auto beam = std::find_if(settings.beams.rbegin(), settings.beams.rend(),
                                  [&](const shared::Beam& b) { return b.first <= index; });
   const auto stream = shared::STREAM_BEAM + static_cast<std::uint32_t>(settings.beams.rend() - beam) - 1;
-  const shared::RandomKey key{settings.seed, pass, stream, index - beam->first};
+  const shared::RandomKey key{settings.seed, pass, stream, start_index(*beam, index - beam->first)};
   const auto decide = [&](std::uint32_t dimension) {
     return double(shared::random_unit(key, dimension)) + perturbation.roulette;
   };

@@ -1,10 +1,13 @@
 #include "host/render/beams.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "host/world/light_view.h"
+#include "shaders/shared/starts.h"
 
 namespace meniscal {
 namespace {
@@ -108,6 +111,35 @@ shared::Beam make_beam(const World& world, const StartSet& set) {
   return beam;
 }
 
+// The matrix of shared::Beam::order for blocks of 2^bits: the inverse, over GF(2), of the one that gives a Sobol index'
+// place along a Z-curve. A block has one point in each cell of a grid of 2^bits cells, scrambled or not.
+std::array<std::uint32_t, 32> order_columns(std::uint32_t bits) {
+  std::array<std::uint32_t, 32> place{}, index{};  // rows of the system: place along the curve -> index
+  for (std::uint32_t b = 0; b < bits; ++b) {
+    const shared::uvec2 point = shared::sobol_index_point(1u << b);
+    for (std::uint32_t d = 0; d < bits; ++d)
+      place[b] |= ((d % 2 == 0 ? point.x : point.y) >> (31 - d / 2) & 1u) << (bits - 1 - d);
+    index[b] = 1u << b;
+  }
+  for (std::uint32_t c = 0; c < bits; ++c) {
+    const std::uint32_t bit = 1u << c;
+    std::uint32_t pivot = c;
+    while (!(place[pivot] & bit)) ++pivot;  // the points of a net are all different: the matrix is regular
+    std::swap(place[c], place[pivot]), std::swap(index[c], index[pivot]);
+    for (std::uint32_t r = 0; r < bits; ++r)
+      if (r != c && place[r] & bit) place[r] ^= place[c], index[r] ^= index[c];
+  }
+  return index;
+}
+
+// In blocks of at most an eighth of the photons, so that few are left over.
+void set_order(shared::Beam& beam) {
+  const auto bits = static_cast<std::uint32_t>(std::bit_width(beam.count)) - 1;
+  beam.order_bits = std::min(bits > 3 ? bits - 3 : 0, 20u);
+  const auto columns = order_columns(beam.order_bits);
+  for (std::uint32_t b = 0; b < beam.order_bits; ++b) beam.order[b / 4][static_cast<int>(b % 4)] = columns[b];
+}
+
 // The part of the square that holds a window, in whole units of 2^-16.
 void set_extent(shared::Beam& beam, const glm::dvec2& low, const glm::dvec2& high) {
   const glm::dvec2 first = glm::floor(glm::clamp(low, 0.0, 1.0) * 65536.0);
@@ -116,6 +148,14 @@ void set_extent(shared::Beam& beam, const glm::dvec2& low, const glm::dvec2& hig
 }
 
 }  // namespace
+
+std::uint32_t start_index(const shared::Beam& beam, std::uint32_t i) {
+  const std::uint32_t bits = beam.order_bits;
+  if (i >> bits >= beam.count >> bits) return i;
+  std::uint32_t index = i >> bits << bits;
+  for (std::uint32_t c = 0; 4 * c < bits; ++c) index ^= shared::xor_columns(i >> (4 * c), beam.order[c], bits - 4 * c);
+  return index;
+}
 
 std::vector<shared::Beam> light_beams(const World& world, std::uint32_t photons) {
   if (world.lights.empty()) return {};
@@ -144,6 +184,7 @@ std::vector<shared::Beam> make_beams(const World& world, const std::vector<Start
       beam.first = first;
       beam.count = counts[k];
       first += counts[k];
+      set_order(beam);
       set_extent(beam, windows[k].low(), windows[k].high());
       beam.own = k == 0 ? everywhere : windows[k].box();
       beam.own_fade = k == 0 ? glm::vec2(1) : glm::vec2(windows[k].fade);

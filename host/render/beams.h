@@ -35,6 +35,9 @@ std::vector<StartSet> default_starts(const World& world);
 // `photons`: of a pass. Windows within others are widened by a border over which they fade in.
 std::vector<shared::Beam> make_beams(const World& world, const std::vector<StartSet>& starts, std::uint32_t photons);
 
+// Which of its beam's starts the i-th photon takes: its index in the Sobol sequence; see shared::Beam.
+std::uint32_t start_index(const shared::Beam& beam, std::uint32_t i);
+
 // All photons from the lights, by power: ordinary photon mapping. Its discs are round. Empty without lights.
 std::vector<shared::Beam> light_beams(const World& world, std::uint32_t photons);
 

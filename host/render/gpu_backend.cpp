@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "host/passes/camera.h"
 #include "host/passes/gather.h"
+#include "host/passes/paths.h"
 
 namespace meniscal {
 namespace {
@@ -19,26 +19,14 @@ constexpr std::uint32_t most_at_once = 1u << 21;
 
 std::uint32_t photons_at_once(const RenderSettings& settings) { return std::min(settings.photons(), most_at_once); }
 
-// Everything that photon maps need; not made for a scene without specular surfaces or lights.
+// What photon maps need beside their photons; not made for a scene without specular surfaces or lights.
 struct MapPasses {
-  std::uint32_t capacity;
-  passes::PhotonBuffers photons;
-  passes::PhotonPass trace;
   passes::CellsPass cells;
   passes::GatherPass gather;
 
-  MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
-            const World& world, const RenderSettings& settings)
-      : MapPasses(device, tables, tiles, photons_at_once(settings), most_beams(world), settings) {}
-
- private:
-  MapPasses(const gpu::Device& device, const passes::SceneTables& tables, const std::vector<passes::PixelTile>& tiles,
-            std::uint32_t at_once, std::size_t beams, const RenderSettings& settings)
-      : capacity(at_once),
-        photons(device, capacity),
-        trace(device, tables, photons, beams, settings),
-        cells(device, photons, capacity, passes::most_cells, tables.texel),
-        gather(device, cells, tiles, tables.texel) {}
+  MapPasses(const gpu::Device& device, const passes::PhotonBuffers& photons, std::size_t capacity,
+            const std::vector<passes::PixelTile>& tiles, bool texel)
+      : cells(device, photons, capacity, passes::most_cells, texel), gather(device, cells, tiles, texel) {}
 };
 
 }  // namespace
@@ -52,7 +40,9 @@ struct GpuBackend::Passes {
   passes::SceneTables tables;
   double upload_seconds = seconds_since(start), compile_seconds;
   std::vector<passes::PixelTile> tiles;
-  passes::CameraPass camera;
+  std::uint32_t capacity;  // of photons at once
+  passes::PhotonBuffers photons;
+  passes::PathsPass paths;
   std::optional<MapPasses> maps;
 
   Passes(gpu::Device d, const World& w, RenderSettings s, bool allow_texel)
@@ -61,17 +51,18 @@ struct GpuBackend::Passes {
         settings(std::move(s)),
         commands(device),
         tables(device, world, 3 * photons_at_once(settings), allow_texel),
-        tiles(passes::make_tiles(device, settings.crop.pixels())),
-        camera(device, tables, tiles, !settings.discs.round()) {
-    if (photons_at_once(settings) > 0) maps.emplace(device, tables, tiles, world, settings);
+        tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
+        capacity(photons_at_once(settings)),
+        photons(device, capacity),
+        paths(device, world, tables, photons, tiles, settings) {
+    if (capacity > 0) maps.emplace(device, photons, capacity, tiles, tables.texel);
     compile_seconds = seconds_since(start) - upload_seconds;
   }
 
   // By the stages of interface: seconds of "photons", "grid", "gather", and of set-up.
   std::map<std::string, double> seconds() const {
     std::map<std::string, double> sums = {{"upload", upload_seconds}, {"compile", compile_seconds}};
-    for (const auto& [pass, time] : commands.seconds_by_pass())
-      sums[pass == "photons" || pass == "camera" || pass == "gather" ? pass : "grid"] += time;
+    for (const auto& [stage, time] : commands.seconds_by_stage()) sums[stage == "cells" ? "grid" : stage] += time;
     return sums;
   }
 
@@ -88,11 +79,11 @@ struct GpuBackend::Passes {
   // Calls done(ends) for the photons of a pass, as many at a time as fit, with their grid.
   template <class Done>
   void trace(std::uint32_t pass, const Done& done) {
-    const std::uint32_t photons = maps ? settings.photons() : 0;
-    for (std::uint32_t first = 0, count = 0; first < photons; first += count) {
-      count = std::min(maps->capacity, photons - first);
+    const std::uint32_t started = maps ? settings.photons() : 0;
+    for (std::uint32_t first = 0, count = 0; first < started; first += count) {
+      count = std::min(capacity, started - first);
       const passes::Grid grid = passes::make_grid(count, pass_discs(settings.discs, pass));
-      maps->trace.run(commands, world, settings, pass, first, count, grid);
+      paths.trace_photons(commands, settings, pass, first, count, grid);
       done(count, grid);
     }
   }
@@ -100,13 +91,13 @@ struct GpuBackend::Passes {
   std::vector<PhotonEnd> ends(std::uint32_t count) const {
     std::vector<PhotonEnd> ends;
     ends.reserve(count);
-    for (const shared::PhotonEnd& e : maps->photons.ends.download<shared::PhotonEnd>(0, count))
+    for (const shared::PhotonEnd& e : photons.ends.download<shared::PhotonEnd>(0, count))
       ends.push_back({std::signbit(e.flux.x), e.end, glm::dvec3(e.position), glm::abs(glm::dvec3(e.flux))});
     return ends;
   }
 
   void tally(Tallies& tallies, std::uint32_t count) const {
-    for (const shared::PhotonEnd& p : maps->photons.ends.download<shared::PhotonEnd>(0, count))
+    for (const shared::PhotonEnd& p : photons.ends.download<shared::PhotonEnd>(0, count))
       tallies[std::signbit(p.flux.x)].count(double(p.entered), mean_of(glm::abs(p.flux)), p.end,
                                             [&](std::uint32_t triangle) { return world.triangles[triangle].material; });
   }
@@ -118,7 +109,7 @@ GpuBackend::~GpuBackend() = default;
 
 PassResult GpuBackend::render_pass(std::uint32_t pass) {
   Passes& p = *passes_;
-  p.camera.run(p.commands, p.world, p.settings, pass);
+  p.paths.trace_camera(p.commands, p.settings, pass);
   PassResult result;
   for (Tally& t : result.tallies) t.flux_landed.resize(p.world.surfaces.size());
   p.trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
@@ -141,7 +132,7 @@ std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
 }
 
 std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass) {
-  passes_->camera.run(passes_->commands, passes_->world, passes_->settings, pass);
+  passes_->paths.trace_camera(passes_->commands, passes_->settings, pass);
   return passes_->samples();
 }
 

@@ -60,7 +60,7 @@ void look(Backend& backend, RenderSettings& settings, const std::vector<std::siz
     for (std::uint32_t i = 0; i < beam.count; ++i) {
       const PhotonEnd& photon = ends[beam.first + i];
       if (photon.end >= shared::END_FIRST || !cells.contains(photon.position)) continue;
-      const shared::RandomKey key{settings.seed, pilot_pass + round, shared::STREAM_BEAM + b, i};
+      const shared::RandomKey key{settings.seed, pilot_pass + round, shared::STREAM_BEAM + b, start_index(beam, i)};
       const glm::dvec2 place = glm::dvec2(shared::start_bits(key, beam.start, beam.extent)) * 0x1p-32;
       SeenSet& s = seen[set_of_beam[b]];
       s.all.add(place, mean_of(photon.flux));

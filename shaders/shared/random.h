@@ -60,17 +60,23 @@ SHARED uint owen_scramble(uint x, uint seed) {
   return reverse_bits(x);
 }
 
+// The index-th point of the first two Sobol dimensions.
+SHARED uvec2 sobol_index_point(uint index) {
+  uint y = 0u, v = 0x80000000u;
+  for (uint i = index; i != 0u; i >>= 1u) {
+    if ((i & 1u) != 0u) y ^= v;
+    v ^= v >> 1u;
+  }
+  return uvec2(reverse_bits(index), y);
+}
+
 // The index-th point of the first two Sobol dimensions, Owen-scrambled: stratified in the square over any 2^k
 // consecutive indices, each point alone uniform. `key.index` is the point; the scrambling depends on the rest of the
 // key, so passes are independent.
 SHARED uvec2 sobol_point(RandomKey key) {
-  uint y = 0u, v = 0x80000000u;
-  for (uint i = key.index; i != 0u; i >>= 1u) {
-    if ((i & 1u) != 0u) y ^= v;
-    v ^= v >> 1u;
-  }
+  uvec2 point = sobol_index_point(key.index);
   uvec4 scramble = pcg4d(uvec4(key.pass, key.seed, key.stream, 0x5CA4B1Eu));
-  return uvec2(owen_scramble(reverse_bits(key.index), scramble.x), owen_scramble(y, scramble.y));
+  return uvec2(owen_scramble(point.x, scramble.x), owen_scramble(point.y, scramble.y));
 }
 
 SHARED_END

@@ -14,6 +14,15 @@ SHARED uvec2 start_bits(RandomKey key, uvec2 start, uvec2 extent) {
   return uvec2((start.x << 16u) + scale_bits(point.x, extent.x), (start.y << 16u) + scale_bits(point.y, extent.y));
 }
 
+// XOR of the columns whose bits are set, of the first `count`.
+SHARED uint xor_columns(uint bits, uvec4 columns, uint count) {
+  uint x = (bits & 1u) != 0u ? columns.x : 0u;
+  if (count > 1u && (bits & 2u) != 0u) x ^= columns.y;
+  if (count > 2u && (bits & 4u) != 0u) x ^= columns.z;
+  if (count > 3u && (bits & 8u) != 0u) x ^= columns.w;
+  return x;
+}
+
 // Rises from 0 to 1 over [0, 1], smoothly: discs that differ across a border lose and gain light by its curvature only.
 SHARED float fade_in(float t) {
   float s = clamp(t, 0.0f, 1.0f);

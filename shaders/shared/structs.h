@@ -72,7 +72,10 @@ struct Beam {
   uint target_first, target_count;  // starts on targets: their range in the tables
   float power;                      // area of the window / count, m2; starts on lights: 1 / count
   float reach;                      // half-width of discs that light reaches unbent, m
-  float pad0;
+  // Photons take the starts in an order in which neighbours lie near each other, in blocks of 2^order_bits as long as
+  // there are whole ones: columns of a matrix over bits that turns a place along a curve into the Sobol index there.
+  uint order_bits;
+  uvec4 order[5];
 };
 
 // One slot per started photon; two streams of 32 bytes.
@@ -121,26 +124,31 @@ struct PixelSample {
   float caustic_count;
 };
 
-struct PhotonPush {
-  uint seed, pass, beams, light_count;  // light_count: of the scene
-  uint first, count;                    // photons of this dispatch
-  uint buffer_first;                    // photon that stands first in the buffers
+const uint PATHS_PHOTON = 0u, PATHS_CAMERA = 1u;
+
+struct PathPush {
+  uint kind, seed, pass;            // kind: PATHS_*
+  uint first, count, buffer_first;  // photons, or pixels of the crop: of invocation 0; all; the first in the buffers
   uint specular_bounces;
+  uint light_count, light_first;  // of the scene; where their CDF begins
+  // Of photons.
+  uint beams;
   float shrink;             // of the beams' reaches in this pass
   float narrowest, widest;  // bounds of a disc's half-widths, m; equal: all discs are round
   uint cell_mask;           // cells of one level of the hash grid - 1 (a power of two)
 };
 
-struct CameraPush {
-  vec4 right, up,
-      forward;  // world-space axes scaled to the image plane: direction or offset = x right + y up (x, y in [-1, 1])
-  vec4 origin;  // w: 1 orthographic
-  uint seed, pass, width, height;          // of the whole image
-  uint crop_x, crop_y, crop_width, first;  // first: pixel of the crop of invocation 0
-  uint count, light_count, light_first, specular_bounces;
-  uint buffer_first;  // pixel of the crop that stands first in the output buffer
-  float jitter;       // part of a pixel's side that rays spread over, round its centre
-  float most_shift;   // from where a ray ends to where the pixel's centre sees, m; beyond, differentials tell nothing
+struct CameraView {
+  vec4 right, up;  // world-space axes scaled to the image plane: direction or offset = x right + y up (x, y in [-1, 1])
+  vec3 forward;
+  uint pad0;
+  vec3 origin;
+  uint orthographic;
+  uint width, height, crop_x, crop_y;  // of the whole image
+  uint crop_width;
+  float jitter;      // part of a pixel's side that rays spread over, round its centre
+  float most_shift;  // from where a ray ends to where the pixel's centre sees, m; beyond, differentials tell nothing
+  uint pad1;
 };
 
 struct ProbePush {

@@ -52,7 +52,7 @@ TEST_F(GpuTest, RunsAShaderOnWhatItIsGiven) {
   for (uint32_t i = 0; i < n - 1; ++i) ASSERT_EQ(found[i], TestPass::expected(i, i, 5)) << i;
   EXPECT_EQ(found[n - 1], n - 1) << "beyond count";
   EXPECT_GT(commands.last_submit_seconds(), 0);
-  const auto& seconds = commands.seconds_by_pass();
+  const auto& seconds = commands.seconds_by_stage();
   ASSERT_EQ(seconds.size(), 1u);
   EXPECT_GT(seconds.at("test"), 0);
   EXPECT_LE(seconds.at("test"), 1.5 * commands.last_submit_seconds());
@@ -112,7 +112,7 @@ TEST_F(GpuTest, RefusesMisuse) {
   error_text([&] { commands.copy(values, values, 8, 396, 0); }, ExitCode::failed);
   commands.dispatch(test.pass, set, Push{100, 0}, 0);
   commands.submit_and_wait();
-  EXPECT_EQ(commands.seconds_by_pass().count("test"), 0u);
+  EXPECT_EQ(commands.seconds_by_stage().count("test"), 0u);
 }
 
 // Proves that the silence of the other tests means something. The second dispatch reads, as texels, what the first

@@ -1,8 +1,8 @@
 // The passes of the photon maps, run one by one.
 #pragma once
 
-#include "host/passes/camera.h"
 #include "host/passes/gather.h"
+#include "host/passes/paths.h"
 
 namespace meniscal::test {
 
@@ -15,16 +15,15 @@ struct GpuMap {
         commands(device),
         tables(device, world, 3 * std::size_t(count), true),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
-        camera(device, tables, tiles, true),
         photons(device, count),
-        trace(device, tables, photons, most_beams(world), settings),
+        paths(device, world, tables, photons, tiles, settings),
         cells(device, photons, count, grid.cells(), tables.texel),
         gather(device, cells, tiles, tables.texel) {}
 
   // The photons, and the pixels, to which gathering adds.
   void prepare() {
-    camera.run(commands, world, settings, 0);
-    trace.run(commands, world, settings, 0, 0, count, grid);
+    paths.trace_camera(commands, settings, 0);
+    paths.trace_photons(commands, settings, 0, 0, count, grid);
   }
   void build_grid() {
     cells.record(commands, count, grid.digits);
@@ -40,9 +39,8 @@ struct GpuMap {
   gpu::Commands commands;
   passes::SceneTables tables;
   std::vector<passes::PixelTile> tiles;
-  passes::CameraPass camera;
   passes::PhotonBuffers photons;
-  passes::PhotonPass trace;
+  passes::PathsPass paths;
   passes::CellsPass cells;
   passes::GatherPass gather;
 };

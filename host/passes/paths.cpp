@@ -1,0 +1,104 @@
+#include "host/passes/paths.h"
+
+#include "shaders/shaders.h"
+#include "shaders/shared/bindings.h"
+
+namespace meniscal::passes {
+namespace {
+
+gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, const RenderSettings& settings) {
+  std::vector<gpu::Binding> layout = tables.layout();
+  for (std::uint32_t binding : {BIND_ENDS, BIND_DISCS, BIND_KEYS, BIND_SAMPLES})
+    layout.push_back({binding, gpu::Kind::storage});
+  for (std::uint32_t binding : {BIND_BEAMS, BIND_VIEW})
+    layout.push_back({binding, tables.texel ? gpu::Kind::texel : gpu::Kind::storage});
+  return {device,
+          "paths",
+          shader("paths", tables.texel),
+          layout,
+          sizeof(shared::PathPush),
+          tables.constants(!settings.discs.round(), settings.integrator == Integrator::ordinary)};
+}
+
+shared::CameraView make_view(const RenderSettings& settings, std::uint32_t pass) {
+  const CameraAxes axes = camera_axes(settings.camera, settings.width, settings.height);
+  shared::CameraView view{};
+  view.right = glm::vec4(axes.right, 0);
+  view.up = glm::vec4(axes.up, 0);
+  view.forward = axes.forward;
+  view.origin = axes.origin;
+  view.orthographic = settings.camera.orthographic ? 1 : 0;
+  view.width = settings.width;
+  view.height = settings.height;
+  view.crop_x = settings.crop.x0;
+  view.crop_y = settings.crop.y0;
+  view.crop_width = settings.crop.width();
+  view.jitter = pixel_jitter(settings, pass);
+  view.most_shift = static_cast<float>(most_shift(settings));
+  return view;
+}
+
+shared::PathPush make_push(const World& world, const RenderSettings& settings, std::uint32_t kind, std::uint32_t pass) {
+  shared::PathPush push{};
+  push.kind = kind;
+  push.seed = settings.seed;
+  push.pass = pass;
+  push.specular_bounces = settings.specular_bounces;
+  push.light_count = static_cast<std::uint32_t>(world.lights.size());
+  push.light_first = world.light_first;
+  return push;
+}
+
+}  // namespace
+
+PathsPass::PathsPass(const gpu::Device& device, const World& world, const SceneTables& tables,
+                     const PhotonBuffers& photons, const std::vector<PixelTile>& tiles, const RenderSettings& settings)
+    : world_(world),
+      tiles_(tiles),
+      beams_(device, "beams", most_beams(world) * sizeof(shared::Beam)),
+      view_(device, "camera", sizeof(shared::CameraView)),
+      pass_(make_pass(device, tables, settings)) {
+  for (const PixelTile& tile : tiles) {
+    std::vector<gpu::Bound> bound = tables.bound();
+    bound.push_back({BIND_ENDS, photons.ends});
+    bound.push_back({BIND_DISCS, photons.discs});
+    bound.push_back({BIND_KEYS, photons.keys});
+    bound.push_back({BIND_SAMPLES, tile.samples});
+    bound.push_back({BIND_BEAMS, beams_, gpu::Format::rgba32ui});
+    bound.push_back({BIND_VIEW, view_, gpu::Format::rgba32ui});
+    buffers_.push_back(pass_.bind(bound));
+  }
+}
+
+void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass,
+                              std::uint32_t first_photon, std::uint32_t photons, const Grid& grid) {
+  beams_.upload(settings.beams);
+  shared::PathPush push = make_push(world_, settings, shared::PATHS_PHOTON, pass);
+  push.beams = static_cast<std::uint32_t>(settings.beams.size());
+  push.buffer_first = first_photon;
+  push.shrink = static_cast<float>(grid.discs.shrink);
+  push.narrowest = static_cast<float>(grid.discs.narrowest);
+  push.widest = static_cast<float>(grid.discs.widest);
+  push.cell_mask = grid.mask;
+  photon_batch_.run(commands, photons, [&](std::uint32_t first, std::uint32_t count) {
+    push.first = first_photon + first;
+    push.count = count;
+    commands.dispatch(pass_, buffers_.front(), push, groups_of_64(count), "photons");
+  });
+}
+
+void PathsPass::trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass) {
+  view_.upload(std::vector{make_view(settings, pass)});
+  shared::PathPush push = make_push(world_, settings, shared::PATHS_CAMERA, pass);
+  for (std::size_t t = 0; t < tiles_.size() && tiles_[t].first < settings.crop.pixels(); ++t) {
+    push.buffer_first = tiles_[t].first;
+    const auto pixels = static_cast<std::uint32_t>(settings.crop.pixels() - tiles_[t].first);
+    camera_batch_.run(commands, std::min(tiles_[t].count, pixels), [&](std::uint32_t first, std::uint32_t count) {
+      push.first = tiles_[t].first + first;
+      push.count = count;
+      commands.dispatch(pass_, buffers_[t], push, groups_of_64(count), "camera");
+    });
+  }
+}
+
+}  // namespace meniscal::passes

@@ -1,0 +1,33 @@
+// Photons and camera paths, traced to their ends: host side of shaders/paths.comp.
+#pragma once
+
+#include "host/passes/batch.h"
+#include "host/passes/photons.h"
+#include "host/passes/pixels.h"
+#include "host/passes/scene_tables.h"
+
+namespace meniscal::passes {
+
+class PathsPass {
+ public:
+  // Writes photons to `photons`, samples to the tiles; these must outlive the pass. Of the settings, the integrator and
+  // whether discs are round stay; there will be most_beams at the most.
+  PathsPass(const gpu::Device& device, const World& world, const SceneTables& tables, const PhotonBuffers& photons,
+            const std::vector<PixelTile>& tiles, const RenderSettings& settings);
+
+  // Photons first .. first + count of a pass, into the buffers from their beginning on.
+  void trace_photons(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, std::uint32_t first,
+                     std::uint32_t count, const Grid& grid);
+  // One path for each pixel of the crop, into the tiles from their beginning on.
+  void trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass);
+
+ private:
+  const World& world_;
+  const std::vector<PixelTile>& tiles_;
+  gpu::Buffer beams_, view_;
+  gpu::ComputePass pass_;
+  std::vector<gpu::BindingSet> buffers_;  // by tile
+  Batch photon_batch_, camera_batch_;
+};
+
+}  // namespace meniscal::passes

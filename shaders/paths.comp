@@ -1,0 +1,235 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Photons, from a target or a light, and camera paths: both go through specular surfaces to the first diffuse one. One kernel, since what
+// they share, tracing and optics, is what a driver takes long to compile.
+#include "emission.glsl"
+#include "shared/geometry.h"
+#include "shared/starts.h"
+
+layout(push_constant) uniform Push { PathPush push; };
+FETCH_TABLE(BIND_BEAMS, beams)
+FETCH_TABLE(BIND_VIEW, view)
+layout(set = 0, binding = BIND_ENDS, std430) writeonly buffer Ends { PhotonEnd ends[]; };
+layout(set = 0, binding = BIND_DISCS, std430) writeonly buffer Discs { PhotonDisc discs[]; };
+layout(set = 0, binding = BIND_KEYS, std430) writeonly buffer Keys { uint keys[]; };
+layout(set = 0, binding = BIND_SAMPLES, std430) writeonly buffer Samples { PixelSample samples[]; };
+
+const uint BEAM_TEXELS = 14u;
+
+Beam fetch_beam(uint i) {
+  uint t = BEAM_TEXELS * i;
+  Beam b;
+  uvec4 a = FETCH(beams, t), u = FETCH(beams, t + 1u), v = FETCH(beams, t + 2u), window = FETCH(beams, t + 3u);
+  uvec4 own = FETCH(beams, t + 4u), finer = FETCH(beams, t + 5u), fade = FETCH(beams, t + 6u);
+  uvec4 start = FETCH(beams, t + 7u), rest = FETCH(beams, t + 8u);
+  b.corner = uintBitsToFloat(a.xyz), b.first = a.w;
+  b.u = uintBitsToFloat(u.xyz), b.count = u.w;
+  b.v = uintBitsToFloat(v.xyz), b.kind = v.w;
+  b.start = window.xy, b.extent = window.zw;
+  b.own = uintBitsToFloat(own), b.finer = uintBitsToFloat(finer);
+  b.own_fade = uintBitsToFloat(fade.xy), b.finer_fade = uintBitsToFloat(fade.zw);
+  b.map = start.x, b.light = start.y, b.light_first = start.z, b.target_first = start.w;
+  b.target_count = rest.x, b.power = uintBitsToFloat(rest.y), b.reach = uintBitsToFloat(rest.z), b.order_bits = rest.w;
+  return b;
+}
+
+// Which of the beam's starts its i-th photon takes: see Beam.
+uint start_index(uint beam, uint i, uint count, uint bits) {
+  if (i >> bits >= count >> bits) return i;
+  uint index = i >> bits << bits;
+  for (uint c = 0u; 4u * c < bits; ++c) index ^= xor_columns(i >> (4u * c), FETCH(beams, BEAM_TEXELS * beam + 9u + c), bits - 4u * c);
+  return index;
+}
+
+// A point of the beam's targets, uniform by area.
+SurfacePoint start_point(Beam beam, uvec2 start) {
+  float rest, weight;
+  uint triangle = fetch_target(beam.target_first + pick(beam.target_first, beam.target_count, start.x, rest, weight));
+  float root = sqrt(rest);
+  return surface_point(triangle, 1.0 - root, unit_float(start.y) * root);
+}
+
+// The photon's footprint on the surface it is stored on, and the cell of the hash grid.
+void store(uint slot, Differential d, float reach, vec3 position, vec3 side) {
+  PhotonDisc disc;
+  make_disc(d, side, reach, push.narrowest, push.widest, disc.alpha, disc.beta);
+  float half_width = inversesqrt(min(dot(disc.alpha, disc.alpha), dot(disc.beta, disc.beta)));
+  uint level = 0u;
+  while (level + 1u < GRID_LEVELS && 1.00001 * half_width > 1.00002 * push.narrowest * float(1u << level)) level += 1u;
+  discs[slot] = disc;
+  keys[slot] = cell_key(grid_cell(position, level_cell_size(push.narrowest, level)), level, push.cell_mask);
+}
+
+// A camera path's start through a place in pixels, from the image's upper left corner.
+Path camera_path(vec2 pixel) {
+  vec3 right = uintBitsToFloat(FETCH(view, 0u).xyz), up = uintBitsToFloat(FETCH(view, 1u).xyz);
+  uvec4 axis = FETCH(view, 2u), eye = FETCH(view, 3u);
+  vec2 size = vec2(FETCH(view, 4u).xy);
+  vec3 offset = (2.0 * pixel.x / size.x - 1.0) * right + (1.0 - 2.0 * pixel.y / size.y) * up;
+  vec3 origin = uintBitsToFloat(eye.xyz), forward = uintBitsToFloat(axis.xyz);
+  bool orthographic = eye.w != 0u;
+  if (orthographic) origin += offset;
+  else forward += offset;
+  Path path = start_path(origin, normalize(forward), NO_TRIANGLE, vec3(1.0));
+  if (HAS_DIFFERENTIALS)
+    path.differential = camera_differential(2.0 / size.x * right, -2.0 / size.y * up, path.direction, length(forward), orthographic);
+  return path;
+}
+
+void main() {
+  uint invocation = invocation_index();
+  if (invocation >= push.count) return;
+  uint item = push.first + invocation, slot = item - push.buffer_first;
+  bool camera = push.kind == PATHS_CAMERA;
+
+  RandomKey random;
+  Path path;
+  SurfacePoint point;
+  uint end = END_CUT;
+  bool asking = false;          // the light, with a shadow ray, before all else
+  uint light_first = push.light_first;
+  Beam beam;                    // of a photon
+  float power;
+  uint map;
+  PixelSample s;                // of a camera path
+  vec2 inside;                  // place in its pixel
+  if (camera) {
+    uvec4 crop = FETCH(view, 4u), rest = FETCH(view, 5u);
+    uint x = crop.z + item % rest.x, y = crop.w + item / rest.x;
+    random = RandomKey(push.seed, push.pass, STREAM_CAMERA, y * crop.x + x);
+    inside = 0.5 + uintBitsToFloat(rest.y) * (vec2(random_unit(random, 0u), random_unit(random, 1u)) - 0.5);
+    path = camera_path(vec2(x, y) + inside);
+    s = PixelSample(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), END_CUT, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0,
+                    vec3(0.0), 0.0);
+  } else {
+    uint b = 0u;
+    while (b + 1u < push.beams && item >= FETCH(beams, BEAM_TEXELS * (b + 1u)).w) b += 1u;
+    beam = fetch_beam(b);
+    random = RandomKey(push.seed, push.pass, STREAM_BEAM + b, start_index(b, item - beam.first, beam.count, beam.order_bits));
+    keys[slot] = NO_CELL;
+    uvec2 start = start_bits(random, beam.start, beam.extent);
+    vec2 place = vec2(unit_float(start.x), unit_float(start.y));
+    power = beam.power * (window_weight(place, beam.own, beam.own_fade) - window_weight(place, beam.finer, beam.finer_fade));
+    map = beam.map;
+    light_first = beam.light_first;
+    if (HAS_EMISSION && beam.kind == START_ON_LIGHTS) {
+      Emission e = emit(place, beam.light_first, push.light_count, random);
+      path = start_path(e.origin, e.direction, e.triangle, e.flux * power);
+    } else if (beam.kind == START_IN_VIEW) {
+      Light light = fetch_light(beam.light);
+      path = start_path(beam.corner + place.x * beam.u + place.y * beam.v, light.direction, NO_TRIANGLE, light.intensity * power);
+      if (HAS_DIFFERENTIALS) path.differential = start_differential(-light.direction, light.direction, FAR);
+    } else {
+      point = start_point(beam, start);
+      asking = true;
+    }
+    point.position = asking ? point.position : path.origin;
+    if (!asking && !(path.throughput.x + path.throughput.y + path.throughput.z > 0.0)) end = END_DROPPED;
+  }
+  float entered = dot(path.throughput, vec3(1.0 / 3.0));
+  bool on_targets = asking;
+
+  uint met = 0u;  // surfaces so far
+  LightSample light;
+  vec3 unshadowed;
+  while (end == END_CUT && met <= push.specular_bounces) {
+    if (asking) {
+      light = sample_lights(point.position, light_first, push.light_count, random);
+      if (camera) {
+        vec3 side = s.normal;
+        float turned = dot(side, point.geometric) < 0.0 ? -1.0 : 1.0;
+        float cosine = dot(light.direction, turned * point.shading);
+        unshadowed = light.irradiance * cosine;
+        // Nothing will stand between: the light is in the medium that the camera path has come through.
+        if (HAS_ABSORPTION && light.distance < FAR) unshadowed *= exp(-path.absorption * light.distance);
+        if (cosine <= 0.0 || dot(light.direction, side) <= 0.0 || all(equal(light.irradiance, vec3(0.0)))) break;
+        path.origin = leave(point.position, side);
+        path.direction = light.direction;
+        path.triangle = point.triangle;
+      } else {
+        // The light's cosine is a factor on the flux: the paper's roulette has the same mean, but would undo the starts' stratification.
+        float cosine = dot(light.direction, point.geometric);
+        path = start_path(leave(point.position, cosine > 0.0 ? point.geometric : -point.geometric), light.direction, point.triangle,
+                          light.irradiance * (abs(cosine) * power));
+        if (HAS_DIFFERENTIALS) path.differential = start_differential(point.geometric, -light.direction, light.distance);
+        entered = dot(path.throughput, vec3(1.0 / 3.0));
+        if (!(entered > 0.0)) {
+          end = END_BLOCKED;
+          break;
+        }
+      }
+    }
+    Hit hit = intersect(path.origin, path.direction, asking ? shadow_reach(light) : FAR, path.triangle, asking);
+    bool missed = hit.triangle == NO_TRIANGLE;
+    if (asking && camera) {
+      if (missed) s.direct = unshadowed;
+      break;
+    }
+    if (asking) {
+      asking = false;
+      path.direction = -light.direction;
+      if (!missed) end = END_BLOCKED;
+      if (HAS_ABSORPTION && dot(light.direction, point.geometric) < 0.0 && light.distance < FAR) {
+        path.absorption = fetch_surface(point.material).absorption;
+        absorb(path, light.distance);
+        entered = dot(path.throughput, vec3(1.0 / 3.0));
+      }
+    } else if (missed) {
+      end = met == 0u && !camera ? END_DROPPED : END_ESCAPED;
+    } else {
+      absorb(path, hit.t);
+      point = surface_point(hit.triangle, hit.u, hit.v);
+      if (HAS_DIFFERENTIALS) transfer(path.differential, path.direction, hit.t, point.geometric);
+    }
+    if (end != END_CUT) break;
+
+    Surface surface = fetch_surface(point.material);
+    bool front = dot(point.geometric, path.direction) < 0.0;
+    vec3 side = front ? point.geometric : -point.geometric;
+    if (camera) {
+      if (met == 0u) {
+        s.depth = hit.t;
+        s.meniscus = float(point.meniscus);
+      }
+      if (front || surface.double_sided != 0u) s.emitted += path.throughput * path.radiance_scale * surface.emission;
+    } else if (met == 0u && !on_targets) {
+      // What the light sees first may be no target.
+      if (surface.specular == 0.0) {
+        end = END_DROPPED;
+        break;
+      }
+      map = point.meniscus != 0u ? MAP_TARGETED : MAP_CAUSTIC;
+    }
+    uint dimension = DIM_FIRST_BOUNCE + BOUNCE_DIMENSIONS * met;
+    if (random_unit(random, dimension) < surface.specular) {
+      if (met < push.specular_bounces) scatter_specular(path, point, surface, random_unit(random, dimension + 1u));
+      met += 1u;
+      continue;
+    }
+    if (camera) {
+      // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread to smooth edges.
+      vec3 shift = (0.5 - inside.x) * path.differential.place0 + (0.5 - inside.y) * path.differential.place1;
+      float most = uintBitsToFloat(FETCH(view, 5u).z);
+      s.position = point.position + (HAS_DIFFERENTIALS && dot(shift, shift) < most * most ? shift : vec3(0.0));
+      s.normal = side;
+      s.albedo = surface.albedo;
+      s.triangle = point.triangle;
+      s.weight = path.throughput * path.radiance_scale * surface.albedo * 0.318309886183791;
+      asking = push.light_count > 0u;
+      if (!asking) break;
+    } else {
+      // A photon that its target scatters diffusely at once has met no specular surface.
+      end = met > 0u ? point.triangle : END_DROPPED;
+      if (met > 0u) store(slot, path.differential, beam.reach * push.shrink, point.position, side);
+    }
+  }
+
+  if (camera) {
+    if (end == END_ESCAPED) s.triangle = END_ESCAPED;
+    samples[slot] = s;
+  } else {
+    path.throughput.x = uintBitsToFloat(floatBitsToUint(path.throughput.x) | (map << 31u));
+    ends[slot] = PhotonEnd(point.position, end, path.throughput, entered);
+  }
+  atomicAdd(counters[COUNTER_RAYS], rays_traced);
+}
