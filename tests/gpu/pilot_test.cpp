@@ -1,0 +1,96 @@
+// The pilot: photons go where the camera sees what they give, and none of the light is lost.
+#include "tests/support/scene_setup.h"
+
+namespace meniscal {
+namespace {
+
+// A camera that sees but a part of the floor.
+std::unique_ptr<test::Setup> narrow_view(const RenderOptions& options) {
+  return test::make_setup("post", options, [](Scene& scene) {
+    for (Camera& c : scene.cameras) c.xmag = c.ymag = 4e-3;
+  });
+}
+
+RenderOptions options_of(Integrator integrator = Integrator::targeted) {
+  RenderOptions options = test::small_options(100000, 48, 48);
+  options.integrator = integrator;
+  return options;
+}
+
+double mean_density(const PassResult& result) {
+  double found = 0;
+  for (const shared::PixelSample& s : result.samples) found += double(s.targeted_count + s.caustic_count);
+  return found / double(result.samples.size());
+}
+
+double irradiance(const PassResult& result) {
+  double sum = 0;
+  for (const shared::PixelSample& s : result.samples) sum += mean_of(s.targeted + s.caustic);
+  return sum / double(result.samples.size());
+}
+
+TEST(Pilot, SendsPhotonsWhereTheyAreSeen) {
+  REQUIRE_DEVICE();
+  const RenderOptions options = options_of();
+  const auto setup = narrow_view(options);
+  GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+  const auto seen_part = [&] {
+    const std::vector<PhotonEnd> ends = gpu.trace_photons(0);
+    const auto seen = std::count_if(ends.begin(), ends.end(), [](const PhotonEnd& e) {
+      return e.end < shared::END_FIRST && std::abs(e.position.x) < 4e-3 && std::abs(e.position.z) < 4e-3;
+    });
+    return double(seen) / double(ends.size());
+  };
+  const double before = seen_part();
+  const PassResult wide = gpu.render_pass(0);
+  focus(setup->settings, options, setup->world, gpu);
+  const double after = seen_part();
+  std::printf("seen: %.3f of the photons before, %.3f after\n", before, after);
+  EXPECT_GT(after, 0.35);
+  EXPECT_GT(after, 2 * before);
+
+  const PassResult narrow = gpu.render_pass(0);
+  EXPECT_GT(mean_density(narrow), 0);
+  EXPECT_NEAR(irradiance(narrow), irradiance(wide), 0.02 * irradiance(wide));
+  for (std::size_t map = 0; map < shared::MAPS; ++map) {
+    const double flux = wide.tallies[map].flux_in;
+    EXPECT_NEAR(narrow.tallies[map].flux_in, flux, 0.02 * flux) << "what is not seen is not lost, either";
+  }
+}
+
+TEST(Pilot, WithoutAnythingSeenKeepsTheDefault) {
+  REQUIRE_DEVICE();
+  const RenderOptions options = options_of();
+  const auto setup = test::make_setup("post", options, [](Scene& scene) {
+    for (Camera& c : scene.cameras) c.pose[3] += glm::dvec4(100, 0, 0, 0);
+  });
+  const std::vector<shared::Beam> before = setup->settings.beams;
+  GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+  focus(setup->settings, options, setup->world, gpu);
+  ASSERT_EQ(setup->settings.beams.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(setup->settings.beams[i].count, before[i].count);
+}
+
+// Ordinary photon mapping is noisy and blurred, but the same light: on the GPU, on the reference path, and as from
+// targets.
+TEST(Ordinary, GivesTheSameLight) {
+  REQUIRE_DEVICE();
+  RenderOptions options = options_of(Integrator::ordinary);
+  options.photons = 400000;
+  for (const char* scene : {"post", "area_light", "spot_light", "point_light"}) {
+    const auto setup = test::make_setup(scene, options);
+    GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+    const PassResult ordinary = gpu.render_pass(0);
+    const auto targeted_setup = test::make_setup(scene, options_of());
+    GpuBackend targeted_gpu(gpu::Device::open("auto"), targeted_setup->world, targeted_setup->settings);
+    const PassResult targeted = targeted_gpu.render_pass(0);
+    for (std::size_t map = 0; map < shared::MAPS; ++map) {
+      const double flux = targeted.tallies[map].flux_in;
+      const double noise = 4 * flux / std::sqrt(std::max(double(ordinary.tallies[map].visible), 1.0));
+      EXPECT_NEAR(ordinary.tallies[map].flux_in, flux, 0.01 * flux + noise) << scene << " map " << map;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace meniscal
