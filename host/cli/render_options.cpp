@@ -134,10 +134,10 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
   const auto by_quality = [](auto value) {
     return fmt::format("{}|{}|{} by quality", value(Quality::draft), value(Quality::preview), value(Quality::final));
   };
-  command.add_option("--photons", options.photons, "Photons started per pass")
+  command.add_option("--photons", options.photons, "Photons started per pass; by default so many a pixel")
       ->type_name("N")
       ->transform(whole(1, 1 << 30))
-      ->default_str(by_quality([](Quality q) { return preset(q).photons; }));
+      ->default_str(by_quality([](Quality q) { return preset(q).photons_per_pixel; }));
   command.add_option("--passes", options.passes, "Passes to run")
       ->type_name("N")
       ->transform(whole(1, kMaxPasses))

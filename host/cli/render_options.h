@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,18 +22,23 @@ struct Resolution {
 // at 250x250 pixels stand in the README.
 enum class Quality { draft, preview, final };
 struct Preset {
-  std::uint32_t photons, passes;
+  double photons_per_pixel;  // and pass
+  std::uint32_t least_photons, passes;
+
+  std::uint32_t photons(std::size_t pixels) const {
+    return static_cast<std::uint32_t>(std::clamp(photons_per_pixel * double(pixels), double(least_photons), 1e9));
+  }
 };
 constexpr Preset preset(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {40000, 1};
+      return {0.64, 40000, 1};
     case Quality::preview:
-      return {75000, 4};
+      return {1.2, 75000, 4};
     case Quality::final:
       break;
   }
-  return {150000, 16};
+  return {2.4, 150000, 16};
 }
 
 struct RenderOptions {
@@ -65,7 +71,8 @@ struct RenderOptions {
 
   static constexpr int default_width = 640;
 
-  std::uint32_t photons_per_pass() const { return photons.value_or(preset(quality).photons); }
+  // For a crop of so many pixels.
+  std::uint32_t photons_per_pass(std::size_t pixels) const { return photons.value_or(preset(quality).photons(pixels)); }
 
   // The passes to run: those of --pass-range below --passes. Never empty after parsing.
   PassRange passes_to_run() const;

@@ -56,15 +56,15 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.footprint = pixel_footprint(world, settings);
   set_beams(settings, options, world,
             options.integrator == Integrator::ordinary
-                ? light_beams(world, options.photons_per_pass())
-                : make_beams(world, default_starts(world), options.photons_per_pass()));
+                ? light_beams(world, options.photons_per_pass(settings.crop.pixels()))
+                : make_beams(world, default_starts(world), options.photons_per_pass(settings.crop.pixels())));
   return settings;
 }
 
 void focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend) {
   if (settings.integrator == Integrator::ordinary || settings.beams.empty()) return;
   set_beams(settings, options, world,
-            make_beams(world, find_starts(backend, world, settings), options.photons_per_pass()));
+            make_beams(world, find_starts(backend, world, settings), options.photons_per_pass(settings.crop.pixels())));
   backend.configure(settings);
 }
 

@@ -20,7 +20,7 @@ double fine_reach(std::uint32_t photons) { return std::clamp(3 * std::pow(photon
 
 // Of a window that others lie in. The border is wide enough that discs of the two sizes disagree by 4 % at its ends at
 // the most: half of the fade's curvature, 6 / border^2, times a disc's variance, reach^2 / 8.
-constexpr double coarse_reach = 2.5, border = 8, unseen_border = 2;
+constexpr double coarse_reach = 3.5, border = 11, unseen_border = 2;
 // The hash grid's levels are few: no disc is wider than so many of the narrowest beam's.
 constexpr float widest_reach = 8;
 
