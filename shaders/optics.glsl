@@ -27,9 +27,9 @@ Path start_path(vec3 origin, vec3 direction, uint triangle, vec3 throughput) {
 }
 
 // Sends the path on from a specular surface: mirror, Fresnel reflection or refraction by roulette with `random`, or straight through a
-// thin sheet. Directions bend with the shading normal, sides are told by the geometric one; where the two disagree on the outcome's
+// thin sheet. Returns the probability of reflection. Directions bend with the shading normal, sides are told by the geometric one; where the two disagree on the outcome's
 // side, the geometric one bends.
-void scatter_specular(inout Path path, SurfacePoint point, Surface surface, float random) {
+float scatter_specular(inout Path path, SurfacePoint point, Surface surface, float random) {
   vec3 arrival = path.direction;
   bool front = dot(arrival, point.geometric) < 0.0;
   vec3 side = front ? point.geometric : -point.geometric;
@@ -41,11 +41,13 @@ void scatter_specular(inout Path path, SurfacePoint point, Surface surface, floa
   }
 
   bool reflected = true;
+  float reflectance = 1.0;
   float eta = 1.0, transmitted = 1.0;
   if (HAS_DIELECTRIC && surface.kind == SPECULAR_DIELECTRIC) {
     eta = front ? 1.0 / surface.ior : surface.ior;
     float cosine = -dot(arrival, normal);
-    reflected = random < fresnel(cosine, eta, transmitted);
+    reflectance = fresnel(cosine, eta, transmitted);
+    reflected = random < reflectance;
     if (!reflected && dot(eta * arrival + (eta * cosine - transmitted) * normal, side) >= 0.0) {
       normal = side;
       turned = 0.0;
@@ -53,7 +55,8 @@ void scatter_specular(inout Path path, SurfacePoint point, Surface surface, floa
     }
   } else if (HAS_THIN && surface.kind == SPECULAR_THIN) {
     float once = fresnel(-dot(arrival, normal), 1.0 / surface.ior, transmitted);
-    reflected = random < 2.0 * once / (1.0 + once);  // both faces, all orders
+    reflectance = 2.0 * once / (1.0 + once);  // both faces, all orders
+    reflected = random < reflectance;
   }
   if (reflected && dot(arrival - 2.0 * dot(arrival, normal) * normal, side) <= 0.0) {
     normal = side;
@@ -88,6 +91,7 @@ void scatter_specular(inout Path path, SurfacePoint point, Surface surface, floa
   path.direction = normalize(path.direction);
   path.origin = leave(point.position, reflected ? side : -side);
   path.triangle = point.triangle;
+  return reflectance;
 }
 
 // Light lost on the way from the path's origin to a hit at distance t.

@@ -202,7 +202,16 @@ void main() {
     }
     uint dimension = DIM_FIRST_BOUNCE + BOUNCE_DIMENSIONS * met;
     if (random_unit(random, dimension) < surface.specular) {
-      if (met < push.specular_bounces) scatter_specular(path, point, surface, random_unit(random, dimension + 1u));
+      bool splits = camera && s.split == 0.0 && push.branch != BRANCH_ROULETTE;
+      float choice = splits ? (push.branch == BRANCH_REFLECTED ? 0.0 : 0.99999994) : random_unit(random, dimension + 1u);
+      if (met < push.specular_bounces) {
+        float reflectance = scatter_specular(path, point, surface, choice);
+        if (camera && reflectance > 0.0 && reflectance < 1.0) {
+          if (splits) path.throughput *= push.branch == BRANCH_REFLECTED ? reflectance : 1.0 - reflectance;
+          if (push.branch == BRANCH_REFLECTED && s.split == 0.0) s.emitted = vec3(0.0);
+          s.split = 1.0;
+        }
+      }
       met += 1u;
       continue;
     }
@@ -226,6 +235,11 @@ void main() {
 
   if (camera) {
     if (end == END_ESCAPED) s.triangle = END_ESCAPED;
+    if (push.branch == BRANCH_REFLECTED && s.split == 0.0) {
+      // The other path has seen it all.
+      s.triangle = END_DROPPED;
+      s.weight = s.emitted = vec3(0.0);
+    }
     samples[slot] = s;
   } else {
     path.throughput.x = uintBitsToFloat(floatBitsToUint(path.throughput.x) | (map << 31u));

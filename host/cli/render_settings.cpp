@@ -62,9 +62,11 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
 }
 
 void focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend) {
-  if (settings.integrator == Integrator::ordinary || settings.beams.empty()) return;
+  if (settings.integrator == Integrator::ordinary) return;
+  const Pilot pilot = look_ahead(backend, world, settings);
+  settings.split = pilot.splits;
   set_beams(settings, options, world,
-            make_beams(world, find_starts(backend, world, settings), options.photons_per_pass(settings.crop.pixels())));
+            make_beams(world, pilot.starts, options.photons_per_pass(settings.crop.pixels())));
   backend.configure(settings);
 }
 

@@ -18,8 +18,8 @@ class PathsPass {
   // Photons first .. first + count of a pass, into the buffers from their beginning on.
   void trace_photons(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, std::uint32_t first,
                      std::uint32_t count, const Grid& grid);
-  // One path for each pixel of the crop, into the tiles from their beginning on.
-  void trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass);
+  // One path for each pixel of the crop, into the tiles from their beginning on. `branch`: shared::BRANCH_*
+  void trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, std::uint32_t branch);
 
  private:
   const World& world_;

@@ -13,7 +13,7 @@ class ReferenceBackend final : public Backend {
 
   PassResult render_pass(std::uint32_t pass) override;
   std::vector<PhotonEnd> trace_photons(std::uint32_t pass) override;
-  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass) override;
+  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, std::uint32_t branch) override;
   void configure(const RenderSettings& settings) override { settings_ = settings; }
   Statistics statistics() const override;
 

@@ -45,7 +45,7 @@ glm::dvec3 direct_irradiance(const Tracer& tracer, const Hit& hit, const glm::dv
 }  // namespace
 
 shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings& settings, const CameraAxes& axes,
-                                      std::uint32_t pass, std::uint32_t x, std::uint32_t y) {
+                                      std::uint32_t pass, std::uint32_t branch, std::uint32_t x, std::uint32_t y) {
   const World& world = tracer.world();
   const shared::RandomKey key{settings.seed, pass, shared::STREAM_CAMERA, y * settings.width + x};
   const glm::dvec2 inside = pixel_offset(settings, key);
@@ -85,9 +85,22 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
           glm::vec3(direct_irradiance(tracer, *hit, side, front ? hit->shading : -hit->shading, path.absorption, key));
       break;
     }
-    scatter_specular(path, *hit, tracer, double(shared::random_unit(key, dimension + 1)));
+    const bool splits = branch != shared::BRANCH_ROULETTE && sample.split == 0;
+    const bool reflects = branch == shared::BRANCH_REFLECTED;
+    const double reflectance = scatter_specular(
+        path, *hit, tracer, splits ? (reflects ? 0 : 0.99999994) : double(shared::random_unit(key, dimension + 1)));
+    if (reflectance > 0 && reflectance < 1) {
+      if (splits) path.throughput *= reflects ? reflectance : 1 - reflectance;
+      if (splits && reflects) emitted = glm::dvec3(0);
+      sample.split = 1;
+    }
   }
   sample.emitted = glm::vec3(emitted);
+  if (branch == shared::BRANCH_REFLECTED && sample.split == 0) {
+    // The other path has seen it all.
+    sample.triangle = shared::END_DROPPED;
+    sample.weight = sample.emitted = glm::vec3(0);
+  }
   return sample;
 }
 

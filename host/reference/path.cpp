@@ -6,7 +6,7 @@
 
 namespace meniscal::reference {
 
-void scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random) {
+double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random) {
   const World& world = tracer.world();
   const WorldTriangle& triangle = world.triangles[hit.triangle];
   const shared::Surface& surface = world.surfaces[triangle.material];
@@ -22,14 +22,17 @@ void scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double r
   if (glm::dot(arrival, normal) >= 0) bend_with_facet();
 
   bool reflected = true;
+  double reflectance = 1;
   if (surface.kind == shared::SPECULAR_DIELECTRIC) {
-    reflected = random < fresnel_reflectance(-glm::dot(arrival, normal), eta);
+    reflectance = fresnel_reflectance(-glm::dot(arrival, normal), eta);
+    reflected = random < reflectance;
     if (!reflected && glm::dot(refract(arrival, normal, eta), side) >= 0) {
       bend_with_facet();
       reflected = refracted_cosine(-glm::dot(arrival, side), eta) < 0;
     }
   } else if (surface.kind == shared::SPECULAR_THIN) {
-    reflected = random < sheet_reflectance(-glm::dot(arrival, normal), ior);
+    reflectance = sheet_reflectance(-glm::dot(arrival, normal), ior);
+    reflected = random < reflectance;
   }
   if (reflected && glm::dot(reflect(arrival, normal), side) <= 0) bend_with_facet();
 
@@ -49,6 +52,7 @@ void scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double r
   path.ray.direction = glm::normalize(path.ray.direction);
   path.ray.origin = tracer.leave(hit.point, reflected ? side : -side);
   path.triangle = hit.triangle;
+  return reflectance;
 }
 
 void absorb(Path& path, double distance) { path.throughput *= glm::exp(-path.absorption * distance); }

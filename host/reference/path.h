@@ -24,8 +24,8 @@ struct Path {
 
 // Sends the path on from `hit`: mirror, Fresnel reflection or refraction by roulette with `random` in [0, 1), or
 // straight through a thin sheet. Directions bend with the shading normal; where the outcome is then on the wrong side
-// of the triangle, with the geometric one.
-void scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random);
+// of the triangle, with the geometric one. Returns the probability of reflection.
+double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random);
 
 // Beer-Lambert over `distance` metres.
 void absorb(Path& path, double distance);

@@ -51,7 +51,8 @@ double mean_of(const Colour& c) {
 
 // One pass, as both backends give it.
 struct PassResult {
-  std::vector<shared::PixelSample> samples;  // of the crop, row by row
+  std::vector<shared::PixelSample> samples;    // of the crop, row by row
+  std::vector<shared::PixelSample> reflected;  // the paths split off, where they are split: their light is added
   Tallies tallies;
 };
 
@@ -65,9 +66,10 @@ class Backend {
  public:
   virtual ~Backend() = default;
   virtual PassResult render_pass(std::uint32_t pass) = 0;
-  // The parts of a pass alone: ends of all its photons, and samples without the maps' light.
+  // The parts of a pass alone: ends of all its photons, and samples without the maps' light
+  // (`branch`: shared::BRANCH_*).
   virtual std::vector<PhotonEnd> trace_photons(std::uint32_t pass) = 0;
-  virtual std::vector<shared::PixelSample> trace_camera(std::uint32_t pass) = 0;
+  virtual std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, std::uint32_t branch) = 0;
 
   // Other settings from now on, of no more pixels than those before; round discs stay round.
   virtual void configure(const RenderSettings& settings) = 0;

@@ -14,6 +14,7 @@ struct Aov {
   std::string name;
   std::vector<std::string> channels;
   std::function<glm::dvec3(const PixelSample&, const MapScale&)> value;
+  bool radiance = false;  // adds up over the paths that a pixel's path is split into; the others are of the main one
 };
 
 const std::vector<std::string> rgb{"R", "G", "B"}, xyz{"X", "Y", "Z"};
@@ -24,9 +25,10 @@ glm::dvec3 weighted(const PixelSample& s, const glm::vec3& irradiance, double sc
 
 const std::vector<Aov>& all_aovs() {
   static const std::vector<Aov> aovs = {
-      {"direct", rgb, [](const PixelSample& s, const MapScale&) { return weighted(s, s.direct, 1); }},
-      {"targeted", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.targeted, m.targeted); }},
-      {"caustic", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.caustic, m.caustic); }},
+      {"direct", rgb, [](const PixelSample& s, const MapScale&) { return weighted(s, s.direct, 1); }, true},
+      {"targeted", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.targeted, m.targeted); },
+       true},
+      {"caustic", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.caustic, m.caustic); }, true},
       // Interreflection is not computed yet: the layer is there, and black.
       {"global", rgb, [](const PixelSample&, const MapScale&) { return glm::dvec3(0); }},
       {"irradiance", rgb,
@@ -64,14 +66,17 @@ Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScal
       aovs_.push_back({a.name, a.channels, std::vector<double>(crop.pixels() * a.channels.size())});
 }
 
-void Film::add(const std::vector<PixelSample>& samples) {
+void Film::add(const std::vector<PixelSample>& samples, const std::vector<PixelSample>& reflected) {
   ++passes_;
+  const auto radiance = [&](const PixelSample& s) {
+    return glm::dvec3(s.emitted) + weighted(s, s.direct, 1) + weighted(s, s.targeted, scale_.targeted) +
+           weighted(s, s.caustic, scale_.caustic);
+  };
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const PixelSample& s = samples[i];
-    const glm::dvec3 radiance = glm::dvec3(s.emitted) + weighted(s, s.direct, 1) +
-                                weighted(s, s.targeted, scale_.targeted) + weighted(s, s.caustic, scale_.caustic);
-    beauty_[i] += radiance;
-    squares_[i] += radiance * radiance;
+    glm::dvec3 sum = radiance(samples[i]);
+    if (!reflected.empty()) sum += radiance(reflected[i]);
+    beauty_[i] += sum;
+    squares_[i] += sum * sum;
   }
   for (Sum& sum : aovs_) {
     const auto aov =
@@ -79,6 +84,7 @@ void Film::add(const std::vector<PixelSample>& samples) {
     const std::size_t channels = sum.channels.size();
     for (std::size_t i = 0; i < samples.size(); ++i) {
       glm::dvec3 value = aov->value(samples[i], scale_);
+      if (aov->radiance && !reflected.empty()) value += aov->value(reflected[i], scale_);
       if (sum.name == "position" && samples[i].triangle < shared::END_FIRST) value += origin_;
       for (std::size_t c = 0; c < channels; ++c) sum.values[i * channels + c] += value[static_cast<int>(c)];
     }

@@ -23,7 +23,8 @@ class Film {
   Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale,
        const glm::dvec3& origin = glm::dvec3(0));
 
-  void add(const std::vector<shared::PixelSample>& samples);
+  // `reflected`: paths split off, whose light is added; none: empty.
+  void add(const std::vector<shared::PixelSample>& samples, const std::vector<shared::PixelSample>& reflected = {});
   std::uint32_t passes() const { return passes_; }
 
   // Means over the passes: the beauty and the layers asked for. `variance` is that of the mean, per channel, from the

@@ -76,7 +76,7 @@ struct GpuBackend::Passes {
     return all;
   }
 
-  // Calls done(ends) for the photons of a pass, as many at a time as fit, with their grid.
+  // Calls done(count, grid) for the photons of a pass, as many at a time as fit, with the grid to put them into.
   template <class Done>
   void trace(std::uint32_t pass, const Done& done) {
     const std::uint32_t started = maps ? settings.photons() : 0;
@@ -86,6 +86,27 @@ struct GpuBackend::Passes {
       paths.trace_photons(commands, settings, pass, first, count, grid);
       done(count, grid);
     }
+  }
+
+  // One camera path a pixel, lit by the photons of the pass, which are counted into `tallies`.
+  std::vector<shared::PixelSample> render(std::uint32_t pass, std::uint32_t branch, Tallies& tallies) {
+    paths.trace_camera(commands, settings, pass, branch);
+    trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
+      maps->cells.record(commands, count, grid.digits);
+      maps->gather.run(commands, grid);
+      tally(tallies, count);
+    });
+    return samples();
+  }
+
+  // The same for the reflected branch, after render: where all photons fit at once, they are still there.
+  std::vector<shared::PixelSample> render_reflected(std::uint32_t pass) {
+    Tallies counted;
+    for (Tally& t : counted) t.flux_landed.resize(world.surfaces.size());
+    if (settings.photons() > capacity) return render(pass, shared::BRANCH_REFLECTED, counted);
+    paths.trace_camera(commands, settings, pass, shared::BRANCH_REFLECTED);
+    if (maps) maps->gather.run(commands, passes::make_grid(settings.photons(), pass_discs(settings.discs, pass)));
+    return samples();
   }
 
   std::vector<PhotonEnd> ends(std::uint32_t count) const {
@@ -109,16 +130,11 @@ GpuBackend::~GpuBackend() = default;
 
 PassResult GpuBackend::render_pass(std::uint32_t pass) {
   Passes& p = *passes_;
-  p.paths.trace_camera(p.commands, p.settings, pass);
   PassResult result;
   for (Tally& t : result.tallies) t.flux_landed.resize(p.world.surfaces.size());
-  p.trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
-    p.maps->cells.record(p.commands, count, grid.digits);
-    p.maps->gather.run(p.commands, grid);
-    p.tally(result.tallies, count);
-  });
+  result.samples = p.render(pass, p.settings.split ? shared::BRANCH_THROUGH : shared::BRANCH_ROULETTE, result.tallies);
+  if (p.settings.split) result.reflected = p.render_reflected(pass);
   p.tables.collect_counters();
-  result.samples = p.samples();
   return result;
 }
 
@@ -131,8 +147,8 @@ std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
   return all;
 }
 
-std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass) {
-  passes_->paths.trace_camera(passes_->commands, passes_->settings, pass);
+std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass, std::uint32_t branch) {
+  passes_->paths.trace_camera(passes_->commands, passes_->settings, pass, branch);
   return passes_->samples();
 }
 

@@ -17,7 +17,7 @@ class GpuBackend final : public Backend {
 
   PassResult render_pass(std::uint32_t pass) override;
   std::vector<PhotonEnd> trace_photons(std::uint32_t pass) override;
-  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass) override;
+  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, std::uint32_t branch) override;
   void configure(const RenderSettings& settings) override;
   Statistics statistics() const override;
 

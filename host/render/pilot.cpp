@@ -108,14 +108,15 @@ void share_out(std::vector<StartSet>& sets) {
 
 }  // namespace
 
-std::vector<StartSet> find_starts(Backend& backend, const World& world, const RenderSettings& settings) {
-  const std::vector<StartSet> whole = default_starts(world);
+Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& settings) {
   RenderSettings pilot = coarse(settings);
   backend.configure(pilot);
-  const SeenCells cells(backend.trace_camera(pilot_pass), pilot.crop.width());
-  if (cells.empty() || whole.empty()) return whole;
+  const std::vector<shared::PixelSample> samples = backend.trace_camera(pilot_pass, shared::BRANCH_ROULETTE);
+  const bool splits = std::any_of(samples.begin(), samples.end(), [](const auto& s) { return s.split > 0; });
+  const SeenCells cells(samples, pilot.crop.width());
 
-  std::vector<StartSet> sets = whole;
+  std::vector<StartSet> sets = default_starts(world);
+  if (cells.empty()) return {sets, splits};
   for (StartSet& s : sets) s.windows = {StartWindow{.share = 1.0 / double(sets.size())}};
   std::vector<SeenSet> seen(sets.size());
   for (std::uint32_t round = 0; round < rounds; ++round) {
@@ -125,7 +126,7 @@ std::vector<StartSet> find_starts(Backend& backend, const World& world, const Re
       sets[i].windows = windows_round(seen[i], sets[i], round + 1 == rounds);
     share_out(sets);
   }
-  return sets;
+  return {sets, splits};
 }
 
 }  // namespace meniscal

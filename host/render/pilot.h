@@ -5,9 +5,14 @@
 
 namespace meniscal {
 
+struct Pilot {
+  std::vector<StartSet> starts;
+  bool splits;  // the camera sees surfaces that reflect a part of the light and let a part through
+};
+
 // Traces some thousand camera rays and photons, and gives windows round the starts of those photons that landed where
 // the camera sees, with shares as the square roots of the flux that they brought there. Where nothing is seen:
 // default_starts. Deterministic. The backend has other settings afterwards.
-std::vector<StartSet> find_starts(Backend& backend, const World& world, const RenderSettings& settings);
+Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& settings);
 
 }  // namespace meniscal

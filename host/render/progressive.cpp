@@ -7,7 +7,7 @@ Tallies render_passes(Backend& backend, const PassRange& passes, Film& film,
   Tallies tallies;
   for (std::uint32_t pass = passes.first; pass < passes.last; ++pass) {
     const PassResult result = backend.render_pass(pass);
-    film.add(result.samples);
+    film.add(result.samples, result.reflected);
     for (std::size_t s = 0; s < tallies.size(); ++s) tallies[s].add(result.tallies[s]);
     if (!after_pass(pass - passes.first + 1)) break;
   }

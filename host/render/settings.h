@@ -57,6 +57,7 @@ struct RenderSettings {
   Discs discs;                      // of pass 0
   double footprint = 0;             // side of a pixel on what is seen, m
   std::uint32_t specular_bounces = 8;
+  bool split = false;  // camera paths in two where light is reflected in part, instead of by roulette
 
   std::uint32_t photons() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }  // per pass
 };

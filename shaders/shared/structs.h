@@ -103,7 +103,11 @@ struct GatheredPhoton {
   float flux_b;
 };
 
-// What one pass says of one pixel. The radiance is emitted + weight * (direct + targeted + caustic).
+// What a camera path that meets such a surface does: takes one way or the other by roulette; or, so that rare reflections
+// leave no specks, is one of two paths, each of which takes one way at the first such surface, by weight.
+const uint BRANCH_ROULETTE = 0u, BRANCH_THROUGH = 1u, BRANCH_REFLECTED = 2u;
+
+// What one pass says of one pixel by one path. The radiance is emitted + weight * (direct + targeted + caustic).
 struct PixelSample {
   // Where the pixel's centre sees the plane of the visible point: of the first non-specular surface on the camera path.
   vec3 position;
@@ -113,7 +117,7 @@ struct PixelSample {
   vec3 albedo;     // at the visible point
   uint triangle;   // of the visible point, or END_*
   vec3 weight;     // radiance per irradiance: throughput * albedo / pi; 0 where no visible point
-  float pad0;
+  float split;     // 1 where the camera path met a surface that reflects a part and lets a part through
   vec3 emitted;  // radiance that reaches the camera from light-emitting surfaces
   float pad1;
   vec3 direct;  // irradiance from the lights
@@ -131,6 +135,7 @@ struct PathPush {
   uint first, count, buffer_first;  // photons, or pixels of the crop: of invocation 0; all; the first in the buffers
   uint specular_bounces;
   uint light_count, light_first;  // of the scene; where their CDF begins
+  uint branch;                    // of camera paths: BRANCH_*
   // Of photons.
   uint beams;
   float shrink;             // of the beams' reaches in this pass

@@ -7,8 +7,11 @@
 namespace meniscal {
 namespace {
 
+// Of both paths, where they are split.
 std::vector<shared::PixelSample> samples_of(Backend& backend, std::uint32_t pass) {
-  return backend.render_pass(pass).samples;
+  PassResult result = backend.render_pass(pass);
+  result.samples.insert(result.samples.end(), result.reflected.begin(), result.reflected.end());
+  return result.samples;
 }
 
 glm::dvec3 radiance(const shared::PixelSample& s) {
@@ -21,6 +24,7 @@ class ImageAgreement : public testing::TestWithParam<const char*> {};
 TEST_P(ImageAgreement, GpuAndReferenceGiveTheSamePicture) {
   REQUIRE_DEVICE();
   const auto setup = test::make_setup(GetParam(), test::small_options(40000, 80, 60));
+  setup->settings.split = true;
   GpuBackend gpu(gpu::Device::open("auto", true), setup->world, setup->settings);
   reference::ReferenceBackend cpu(setup->world, setup->settings);
   const auto a = samples_of(gpu, 2), b = samples_of(cpu, 2);
@@ -80,6 +84,26 @@ TEST_P(ImageAgreement, ValidationLayerIsSilent) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ImageAgreement, testing::Values("post", "shadow_sausage", "area_light"),
                          [](const auto& tested) { return std::string(tested.param); });
+
+// Seen through water, a pixel's light is the same by roulette, on average, and by two paths, but for the noise.
+TEST(Split, GivesTheLightOfRouletteWithLessNoise) {
+  REQUIRE_DEVICE();
+  const auto setup = test::make_setup("shadow_sausage", test::small_options(100000, 80, 60));
+  double mean[2] = {}, noise[2] = {};
+  constexpr std::uint32_t passes = 12;
+  for (bool split : {false, true}) {
+    setup->settings.split = split;
+    GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+    Film film(setup->settings.crop, {}, {});
+    render_passes(gpu, {1, 1 + passes}, film, [](std::uint32_t) { return true; });
+    const Image image = film.image(80, 60);
+    for (float v : image.layers[0].pixels) mean[split] += double(v);
+    noise[split] = film.error_estimate();
+  }
+  std::printf("mean %.5g by roulette, %.5g split; noise %.3f and %.3f\n", mean[0], mean[1], noise[0], noise[1]);
+  EXPECT_NEAR(mean[1], mean[0], 0.005 * mean[0]);
+  EXPECT_LT(noise[1], 0.7 * noise[0]);
+}
 
 // A radius as wide as the scene: each pixel tests more photons than one dispatch may, in several rounds.
 TEST(Gather, RoundsAddUp) {
