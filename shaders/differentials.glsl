@@ -1,5 +1,5 @@
 // How a path's place and direction change with where it starts (Igehy 1999; Schjoth et al. 2007): of a photon, along two perpendicular
-// directions in its target's facet, per metre; of a camera path, per pixel.
+// directions in its target's facet, per metre, or on its light; of a camera path, per pixel.
 struct Differential {
   vec3 place0, place1, direction0, direction1;
 };
@@ -10,6 +10,14 @@ vec3 tangent(vec3 n) { return normalize(abs(n.x) > 0.6 ? vec3(n.z, 0.0, -n.x) : 
 Differential start_differential(vec3 facet, vec3 direction, float distance) {
   vec3 u = tangent(facet), v = cross(facet, u);
   return Differential(u, v, (u - direction * dot(direction, u)) / distance, (v - direction * dot(direction, v)) / distance);
+}
+
+// While the start stays, and the point on an area light at `distance` moves along two perpendicular directions in its facet, per
+// `extent` metres.
+Differential light_differential(vec3 light_normal, float extent, vec3 direction, float distance) {
+  vec3 u = tangent(light_normal), v = cross(light_normal, u);
+  float part = extent / distance;
+  return Differential(vec3(0.0), vec3(0.0), part * (direction * dot(direction, u) - u), part * (direction * dot(direction, v) - v));
 }
 
 // Of a camera ray along `direction`, per pixel: `step0` and `step1` are a pixel's sides on the image plane, `distance` from the eye.
@@ -40,15 +48,35 @@ void transfer(inout Differential d, vec3 direction, float distance, vec3 plane) 
   d.place1 -= dot(plane, d.place1) * slant;
 }
 
-// The disc of half-widths `spread` times those that starts 1 m apart span, each clamped: alpha and beta of PhotonDisc.
-void make_disc(Differential d, vec3 normal, float spread, float narrowest, float widest, out vec3 alpha, out vec3 beta) {
+// Twice the area of a triangle with these sides.
+float twice_area(vec2 p, vec2 q) { return p.x * q.y - p.y * q.x; }
+
+// Area that the parallelogram of the two derivatives of place spans.
+float spread(Differential d) { return length(cross(d.place0, d.place1)); }
+
+// The disc with the sum of the variances that half-widths of `reach` metres of start and `light_reach` extents of the light have, each
+// half-width clamped: alpha and beta of PhotonDisc.
+void make_disc(Differential d, float reach, Differential by_light, float light_reach, vec3 normal, float narrowest, float widest,
+               out vec3 alpha, out vec3 beta) {
   vec3 u = tangent(normal), v = cross(normal, u);
-  vec2 p = spread * vec2(dot(d.place0, u), dot(d.place0, v)), q = spread * vec2(dot(d.place1, u), dot(d.place1, v));
+  vec2 p = reach * vec2(dot(d.place0, u), dot(d.place0, v)), q = reach * vec2(dot(d.place1, u), dot(d.place1, v));
   // Sigma = J J^T, a symmetric matrix; its eigenvalues are the squared half-widths.
   float a = p.x * p.x + q.x * q.x, b = p.x * p.y + q.x * q.y, c = p.y * p.y + q.y * q.y;
+  float area = abs(twice_area(p, q));  // root of the determinant
+  if (HAS_AREA && light_reach > 0.0) {
+    vec2 r = light_reach * vec2(dot(by_light.place0, u), dot(by_light.place0, v));
+    vec2 s = light_reach * vec2(dot(by_light.place1, u), dot(by_light.place1, v));
+    a += r.x * r.x + s.x * s.x;
+    b += r.x * r.y + s.x * s.y;
+    c += r.y * r.y + s.y * s.y;
+    // Of a product J J^T the determinant is the sum of the squares of J's minors (Cauchy and Binet).
+    vec4 mixed = vec4(twice_area(p, r), twice_area(p, s), twice_area(q, r), twice_area(q, s));
+    float lit = twice_area(r, s);
+    area = sqrt(area * area + dot(mixed, mixed) + lit * lit);
+  }
   float half_difference = 0.5 * (a - c), gap = sqrt(half_difference * half_difference + b * b);
   float wide = sqrt(0.5 * (a + c) + gap);
-  float narrow = wide > 0.0 ? abs(p.x * q.y - p.y * q.x) / wide : 0.0;  // by the determinant: nothing cancels
+  float narrow = wide > 0.0 ? area / wide : 0.0;  // by the determinant: nothing cancels
   // At grazing incidence derivatives leave float's range: the disc is then as wide as it may be.
   if (!(wide < 1e18)) wide = narrow = widest;
   // The wide axis, from whichever row of Sigma - narrow^2 is longer; any axis where the disc is round.

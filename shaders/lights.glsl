@@ -6,16 +6,18 @@ struct LightSample {
   float distance;      // to the light sample; directional: beyond the scene
   vec3 irradiance;     // on a surface facing the light, over the probability (density) of this sample; 0: not emitted this way
   uint triangle;       // of an area light, else NO_TRIANGLE
+  vec3 normal;         // of an area light
+  float extent;        // of an area light: root of its area over the probability of having chosen it, m; else 0
 };
 
 const float FAR = 1e30;
 
-// `weight`: 1 / probability of having chosen this light.
-LightSample sample_light(uint index, float weight, vec3 point, RandomKey key) {
+// `weight`: 1 / probability of having chosen this light. `place`, uniform in the unit square: picks the point of an area light.
+LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
   Light light = fetch_light(index);
-  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE);
+  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0);
   if (HAS_AREA && light.type == LIGHT_AREA) {
-    float root = sqrt(random_unit(key, DIM_LIGHT_U)), v = random_unit(key, DIM_LIGHT_V) * root;
+    float root = sqrt(place.x), v = place.y * root;
     vec3 on_light = light.position + (1.0 - root) * light.edge1 + v * light.edge2;
     vec3 towards = on_light - point;
     s.distance = length(towards);
@@ -24,6 +26,7 @@ LightSample sample_light(uint index, float weight, vec3 point, RandomKey key) {
     if (light.double_sided != 0u) cosine = abs(cosine);
     s.irradiance *= max(cosine, 0.0) * light.area / (s.distance * s.distance);
     s.triangle = light.triangle;
+    s.extent = sqrt(light.area * weight);
   } else if (HAS_LOCAL && light.type != LIGHT_DIRECTIONAL) {
     vec3 towards = light.position - point;
     s.distance = length(towards);
@@ -41,11 +44,16 @@ LightSample sample_light(uint index, float weight, vec3 point, RandomKey key) {
   return s;
 }
 
-// One of the lights, by the CDF that begins at `first`.
-LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key) {
+// One of the lights, by the CDF that begins at `first`. `stratified`: light and point by the sequence that the start is of, in its third
+// and fourth dimensions; else at random.
+LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key, bool stratified) {
+  uvec2 bits = uvec2(random_bits(key, DIM_LIGHT), 0u);
+  if (HAS_AREA && stratified) bits = sobol_point_beyond(key);
   float rest, weight;
-  uint index = pick(first, count, random_bits(key, DIM_LIGHT), rest, weight);
-  return sample_light(index, weight, point, key);
+  uint index = pick(first, count, bits.x, rest, weight);
+  vec2 place = vec2(rest, unit_float(bits.y));
+  if (HAS_AREA && !stratified) place = vec2(random_unit(key, DIM_LIGHT_U), random_unit(key, DIM_LIGHT_V));
+  return sample_light(index, weight, point, place);
 }
 
 // How far a shadow ray must be free, so that the emitting triangle does not shadow itself.

@@ -19,11 +19,23 @@ struct Path {
   vec3 throughput;
   vec3 absorption;       // of the medium it is in, 1/m
   float radiance_scale;  // product of (n_beyond / n_arrival)^-2: for camera paths, not for photons
-  Differential differential;
+  Differential differential;  // by where it starts
+  Differential by_light;      // by the point on an area light
 };
 
 Path start_path(vec3 origin, vec3 direction, uint triangle, vec3 throughput) {
-  return Path(origin, direction, triangle, throughput, vec3(0.0), 1.0, Differential(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)));
+  Differential none = Differential(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  return Path(origin, direction, triangle, throughput, vec3(0.0), 1.0, none, none);
+}
+
+// `turned`: 1 or -1 times the shading normal bends; 0: the facet's.
+void reflect_differential(inout Differential d, SurfacePoint point, float turned, vec3 arrival, vec3 normal) {
+  d.direction0 = reflect_derivative(d.direction0, turned * normal_derivative(point, d.place0), arrival, normal);
+  d.direction1 = reflect_derivative(d.direction1, turned * normal_derivative(point, d.place1), arrival, normal);
+}
+void refract_differential(inout Differential d, SurfacePoint point, float turned, vec3 arrival, vec3 normal, float eta, float beyond) {
+  d.direction0 = refract_derivative(d.direction0, turned * normal_derivative(point, d.place0), arrival, normal, eta, beyond);
+  d.direction1 = refract_derivative(d.direction1, turned * normal_derivative(point, d.place1), arrival, normal, eta, beyond);
 }
 
 // Sends the path on from a specular surface: mirror, Fresnel reflection or refraction by roulette with `random`, or straight through a
@@ -63,29 +75,19 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, flo
     turned = 0.0;
   }
 
-  // How the normal changes along with the place.
-  vec3 dn0 = vec3(0.0), dn1 = vec3(0.0);
-  if (HAS_DIFFERENTIALS && turned != 0.0) {
-    dn0 = turned * normal_derivative(point, path.differential.place0);
-    dn1 = turned * normal_derivative(point, path.differential.place1);
-  }
   if (reflected) {
     path.direction = arrival - 2.0 * dot(arrival, normal) * normal;
     if (HAS_MIRROR && surface.kind == SPECULAR_MIRROR) path.throughput *= surface.tint;
-    if (HAS_DIFFERENTIALS) {
-      path.differential.direction0 = reflect_derivative(path.differential.direction0, dn0, arrival, normal);
-      path.differential.direction1 = reflect_derivative(path.differential.direction1, dn1, arrival, normal);
-    }
+    if (HAS_DIFFERENTIALS) reflect_differential(path.differential, point, turned, arrival, normal);
+    if (HAS_DIFFERENTIALS && HAS_AREA) reflect_differential(path.by_light, point, turned, arrival, normal);
   } else {
     path.throughput *= surface.tint;
     if (HAS_DIELECTRIC && surface.kind == SPECULAR_DIELECTRIC) {
       path.direction = eta * arrival + (-eta * dot(arrival, normal) - transmitted) * normal;
       path.radiance_scale *= eta * eta;
       path.absorption = front ? surface.absorption : vec3(0.0);
-      if (HAS_DIFFERENTIALS) {
-        path.differential.direction0 = refract_derivative(path.differential.direction0, dn0, arrival, normal, eta, transmitted);
-        path.differential.direction1 = refract_derivative(path.differential.direction1, dn1, arrival, normal, eta, transmitted);
-      }
+      if (HAS_DIFFERENTIALS) refract_differential(path.differential, point, turned, arrival, normal, eta, transmitted);
+      if (HAS_DIFFERENTIALS && HAS_AREA) refract_differential(path.by_light, point, turned, arrival, normal, eta, transmitted);
     }
   }
   path.direction = normalize(path.direction);

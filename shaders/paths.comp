@@ -49,10 +49,24 @@ SurfacePoint start_point(Beam beam, uvec2 start) {
   return surface_point(triangle, 1.0 - root, unit_float(start.y) * root);
 }
 
+// Paths from an area light lie in four dimensions, two of the start and two of the point on the light. Distances there go as the geometric
+// mean of those between starts and the light's image where the photon lands (`image`: its area, m2), if that is wider. The factors were
+// measured with lights of 0.6 to 6 degrees and 8,000 to 100,000 photons. Widens `reach`, the half-width of a disc in the facet that the
+// path started on, m, and gives the half-width on the light, in units of its extent.
+float widen(inout float reach, float image) {
+  if (!(image > 0.0)) return 0.0;
+  float extent = sqrt(image), ratio = sqrt(reach / extent);
+  reach = max(reach, 2.0 * sqrt(reach * extent));
+  return 0.5 * min(ratio, 1.0);
+}
+
 // The photon's footprint on the surface it is stored on, and the cell of the hash grid.
-void store(uint slot, Differential d, float reach, vec3 position, vec3 side) {
+void store(uint slot, Path path, float reach, vec3 position, vec3 side) {
+  float light_reach = 0.0;
+  if (HAS_AREA && HAS_DIFFERENTIALS) light_reach = widen(reach, spread(path.by_light));
   PhotonDisc disc;
-  make_disc(d, side, reach, push.narrowest, push.widest, disc.alpha, disc.beta);
+  make_disc(path.differential, push.shrink * reach, path.by_light, push.shrink * light_reach, side, push.narrowest, push.widest,
+            disc.alpha, disc.beta);
   float half_width = inversesqrt(min(dot(disc.alpha, disc.alpha), dot(disc.beta, disc.beta)));
   uint level = 0u;
   while (level + 1u < GRID_LEVELS && 1.00001 * half_width > 1.00002 * push.narrowest * float(1u << level)) level += 1u;
@@ -134,7 +148,7 @@ void main() {
   vec3 unshadowed;
   while (end == END_CUT && met <= push.specular_bounces) {
     if (asking) {
-      light = sample_lights(point.position, light_first, push.light_count, random);
+      light = sample_lights(point.position, light_first, push.light_count, random, !camera);
       if (camera) {
         vec3 side = s.normal;
         float turned = dot(side, point.geometric) < 0.0 ? -1.0 : 1.0;
@@ -152,6 +166,7 @@ void main() {
         path = start_path(leave(point.position, cosine > 0.0 ? point.geometric : -point.geometric), light.direction, point.triangle,
                           light.irradiance * (abs(cosine) * power));
         if (HAS_DIFFERENTIALS) path.differential = start_differential(point.geometric, -light.direction, light.distance);
+        if (HAS_DIFFERENTIALS && HAS_AREA) path.by_light = light_differential(light.normal, light.extent, -light.direction, light.distance);
         entered = dot(path.throughput, vec3(1.0 / 3.0));
         if (!(entered > 0.0)) {
           end = END_BLOCKED;
@@ -180,6 +195,7 @@ void main() {
       absorb(path, hit.t);
       point = surface_point(hit.triangle, hit.u, hit.v);
       if (HAS_DIFFERENTIALS) transfer(path.differential, path.direction, hit.t, point.geometric);
+      if (HAS_DIFFERENTIALS && HAS_AREA) transfer(path.by_light, path.direction, hit.t, point.geometric);
     }
     if (end != END_CUT) break;
 
@@ -229,7 +245,7 @@ void main() {
     } else {
       // A photon that its target scatters diffusely at once has met no specular surface.
       end = met > 0u ? point.triangle : END_DROPPED;
-      if (met > 0u) store(slot, path.differential, beam.reach * push.shrink, point.position, side);
+      if (met > 0u) store(slot, path, beam.reach, point.position, side);
     }
   }
 

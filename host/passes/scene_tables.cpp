@@ -63,7 +63,7 @@ std::vector<std::uint32_t> constants_of(const World& world) {
       static_cast<std::uint32_t>(world.bvh.nodes.size()),
       any_light([](const Light& l) { return l.type == shared::LIGHT_DIRECTIONAL; }),
       any_light([](const Light& l) { return l.type == shared::LIGHT_POINT || l.type == shared::LIGHT_SPOT; }),
-      any_light([](const Light& l) { return l.type == shared::LIGHT_AREA; }),
+      world.area_lights,
       any_surface(shared::SPECULAR_MIRROR),
       any_surface(shared::SPECULAR_DIELECTRIC),
       any_surface(shared::SPECULAR_THIN),

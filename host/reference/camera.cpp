@@ -33,7 +33,7 @@ Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const gl
 glm::dvec3 direct_irradiance(const Tracer& tracer, const Hit& hit, const glm::dvec3& side, const glm::dvec3& shading,
                              const glm::dvec3& absorption, const shared::RandomKey& key) {
   if (tracer.world().lights.empty()) return glm::dvec3(0);
-  const LightSample light = sample_lights(tracer.world(), tracer.world().light_first, hit.point, key);
+  const LightSample light = sample_lights(tracer.world(), tracer.world().light_first, hit.point, key, false);
   const double cosine = glm::dot(light.direction, shading);
   if (cosine <= 0 || glm::dot(light.direction, side) <= 0 || light.irradiance == glm::dvec3(0)) return glm::dvec3(0);
   if (!visible(tracer, hit.point, hit.triangle, side, light)) return glm::dvec3(0);

@@ -19,6 +19,14 @@ Differential start_differential(const glm::dvec3& facet_normal, const glm::dvec3
   return d;
 }
 
+Differential light_differential(const glm::dvec3& light_normal, double extent, const glm::dvec3& direction,
+                                double distance) {
+  Differential d;
+  for (int i = 0; const glm::dvec3& along : tangents(light_normal))
+    d.direction[i++] = extent / distance * (direction * glm::dot(direction, along) - along);
+  return d;
+}
+
 std::array<glm::dvec3, 2> normal_differential(const WorldTriangle& t, const Hit& hit, const Differential& d) {
   std::array<glm::dvec3, 2> dn;
   for (int i = 0; i < 2; ++i) {
@@ -62,15 +70,18 @@ void transfer(Differential& d, const glm::dvec3& direction, double distance, con
   }
 }
 
-Footprint make_footprint(const Differential& d, const glm::dvec3& normal, double spread, double narrowest,
+double spread(const Differential& d) { return glm::length(glm::cross(d.place[0], d.place[1])); }
+
+Footprint make_footprint(std::initializer_list<Reaching> parts, const glm::dvec3& normal, double narrowest,
                          double widest) {
   const auto [u, v] = tangents(normal);
   // Sigma = J J^T in the tangent plane; its eigenvalues are the squared half-widths.
   double a = 0, b = 0, c = 0;
-  for (const glm::dvec3& p : d.place) {
-    const double x = spread * glm::dot(p, u), y = spread * glm::dot(p, v);
-    a += x * x, b += x * y, c += y * y;
-  }
+  for (const Reaching& part : parts)
+    for (const glm::dvec3& p : part.differential.place) {
+      const double x = part.reach * glm::dot(p, u), y = part.reach * glm::dot(p, v);
+      a += x * x, b += x * y, c += y * y;
+    }
   const double angle = 0.5 * std::atan2(2 * b, a - c), half_gap = std::hypot(0.5 * (a - c), b);
   double wide = std::sqrt(0.5 * (a + c) + half_gap), narrow = std::sqrt(std::max(0.5 * (a + c) - half_gap, 0.0));
   // At grazing incidence derivatives have no bound: the disc is then as wide as it may be.

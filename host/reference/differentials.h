@@ -4,12 +4,14 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 
 #include "host/reference/tracer.h"
 
 namespace meniscal::reference {
 
-// Of a photon: along two perpendicular directions in its target's facet, per metre; of a camera path: per pixel.
+// Of a photon: along two perpendicular directions in its target's facet, per metre, or on its light; of a camera path:
+// per pixel.
 struct Differential {
   std::array<glm::dvec3, 2> place{}, direction{};
 };
@@ -20,6 +22,11 @@ std::array<glm::dvec3, 2> tangents(const glm::dvec3& n);
 // At the start: places differ within the facet; directions as the light's do: not at all from far away, about a point
 // at `distance`.
 Differential start_differential(const glm::dvec3& facet_normal, const glm::dvec3& direction, double distance);
+
+// While the start stays, and the point on an area light at `distance` moves along two perpendicular directions in its
+// facet, per `extent` metres.
+Differential light_differential(const glm::dvec3& light_normal, double extent, const glm::dvec3& direction,
+                                double distance);
 
 // Derivative of the interpolated unit shading normal along the place's derivatives, at a point of `triangle` where it
 // is `shading`.
@@ -40,9 +47,17 @@ struct Footprint {
   glm::dvec3 alpha, beta;
 };
 
-// The disc of half-widths `spread` times those that a start differing by 1 m gives, each clamped to [narrowest,
-// widest].
-Footprint make_footprint(const Differential& d, const glm::dvec3& normal, double spread, double narrowest,
+// Area that the parallelogram of the two derivatives of place spans.
+double spread(const Differential& d);
+
+// Part of a disc: `reach` is the half-width in the units that the differential is per.
+struct Reaching {
+  Differential differential;
+  double reach;
+};
+
+// The disc with the sum of the variances of all parts; its half-widths are clamped to [narrowest, widest].
+Footprint make_footprint(std::initializer_list<Reaching> parts, const glm::dvec3& normal, double narrowest,
                          double widest);
 
 }  // namespace meniscal::reference

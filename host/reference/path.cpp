@@ -16,8 +16,12 @@ double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double
   const double ior = double(surface.ior), eta = front ? 1 / ior : ior;
 
   glm::dvec3 normal = front ? hit.shading : -hit.shading;
-  auto dn = normal_differential(triangle, hit, path.differential);
-  if (!front) dn = {-dn[0], -dn[1]};
+  const std::array<Differential*, 2> differentials = {&path.differential, &path.by_light};
+  std::array<std::array<glm::dvec3, 2>, 2> dn;  // how the normal changes with each
+  for (int i = 0; i < 2; ++i) {
+    dn[i] = normal_differential(triangle, hit, *differentials[i]);
+    if (!front) dn[i] = {-dn[i][0], -dn[i][1]};
+  }
   const auto bend_with_facet = [&] { normal = side, dn = {}; };
   if (glm::dot(arrival, normal) >= 0) bend_with_facet();
 
@@ -37,13 +41,13 @@ double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double
   if (reflected && glm::dot(reflect(arrival, normal), side) <= 0) bend_with_facet();
 
   if (reflected) {
-    reflect(path.differential, arrival, normal, dn);
+    for (int i = 0; i < 2; ++i) reflect(*differentials[i], arrival, normal, dn[i]);
     path.ray.direction = reflect(arrival, normal);
     if (surface.kind == shared::SPECULAR_MIRROR) path.throughput *= glm::dvec3(surface.tint);
   } else {
     path.throughput *= glm::dvec3(surface.tint);
     if (surface.kind == shared::SPECULAR_DIELECTRIC) {
-      refract(path.differential, arrival, normal, dn, eta);
+      for (int i = 0; i < 2; ++i) refract(*differentials[i], arrival, normal, dn[i], eta);
       path.ray.direction = refract(arrival, normal, eta);
       path.radiance_scale *= eta * eta;
       path.absorption = front ? glm::dvec3(surface.absorption) : glm::dvec3(0);
@@ -58,24 +62,30 @@ double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double
 void absorb(Path& path, double distance) { path.throughput *= glm::exp(-path.absorption * distance); }
 
 LightSample sample_lights(const World& world, std::uint32_t first, const glm::dvec3& point,
-                          const shared::RandomKey& key) {
-  const Picked picked = pick(world.cdf, first, world.lights.size(), shared::random_bits(key, shared::DIM_LIGHT));
-  return sample_light(world, picked.index, picked.weight, point, key);
+                          const shared::RandomKey& key, bool stratified) {
+  using shared::DIM_LIGHT, shared::DIM_LIGHT_U, shared::DIM_LIGHT_V, shared::random_unit;
+  const shared::uvec2 bits =
+      stratified ? shared::sobol_point_beyond(key) : shared::uvec2(shared::random_bits(key, DIM_LIGHT), 0);
+  const Picked picked = pick(world.cdf, first, world.lights.size(), bits.x);
+  const glm::dvec2 place = stratified ? glm::dvec2(picked.rest, shared::unit_float(bits.y))
+                                      : glm::dvec2(random_unit(key, DIM_LIGHT_U), random_unit(key, DIM_LIGHT_V));
+  return sample_light(world, picked.index, picked.weight, point, place);
 }
 
 LightSample sample_light(const World& world, std::uint32_t index, double weight, const glm::dvec3& point,
-                         const shared::RandomKey& key) {
+                         const glm::dvec2& place) {
   const shared::Light& light = world.lights[index];
   const glm::dvec3 axis = glm::normalize(glm::dvec3(light.direction));
-  LightSample s{-axis, std::numeric_limits<double>::infinity(), glm::dvec3(light.intensity) * weight, no_triangle};
+  LightSample s{-axis, std::numeric_limits<double>::infinity(), glm::dvec3(light.intensity) * weight, no_triangle, {}};
   if (light.type == shared::LIGHT_DIRECTIONAL) return s;
 
   glm::dvec3 on_light(light.position);
   if (light.type == shared::LIGHT_AREA) {
-    const double root = std::sqrt(double(shared::random_unit(key, shared::DIM_LIGHT_U)));
-    const double v = root * double(shared::random_unit(key, shared::DIM_LIGHT_V));
+    const double root = std::sqrt(place.x), v = root * place.y;
     on_light += (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2);
     s.triangle = light.triangle;
+    s.normal = axis;
+    s.extent = std::sqrt(double(light.area) * weight);
   }
   s.distance = glm::length(on_light - point);
   s.direction = (on_light - point) / s.distance;

@@ -19,7 +19,8 @@ struct Path {
   glm::dvec3 throughput{1};
   glm::dvec3 absorption{0};     // of the medium it is in, 1/m
   double radiance_scale = 1;    // product of (n_beyond / n_arrival)^-2: for radiance, not for flux
-  Differential differential{};  // for photons
+  Differential differential{};  // by where it starts
+  Differential by_light{};      // by the point on an area light
 };
 
 // Sends the path on from `hit`: mirror, Fresnel reflection or refraction by roulette with `random` in [0, 1), or
@@ -36,14 +37,18 @@ struct LightSample {
   glm::dvec3
       irradiance;  // on a surface facing the light, over the sample's probability (density); 0: not emitted this way
   std::uint32_t triangle;  // of an area light
+  glm::dvec3 normal;       // of an area light
+  double extent = 0;       // of an area light: root of its area over the probability of having chosen it, m
 };
 
-// `weight`: 1 / probability of having chosen this light.
+// `weight`: 1 / probability of having chosen this light. `place`: uniform in the unit square, picks the point of an
+// area light.
 LightSample sample_light(const World& world, std::uint32_t light, double weight, const glm::dvec3& point,
-                         const shared::RandomKey& key);
-// One of the lights, by the CDF that begins at `first`.
+                         const glm::dvec2& place);
+// One of the lights, by the CDF that begins at `first`. `stratified`: light and point by the sequence that the start is
+// of, in its third and fourth dimensions; else at random.
 LightSample sample_lights(const World& world, std::uint32_t first, const glm::dvec3& point,
-                          const shared::RandomKey& key);
+                          const shared::RandomKey& key, bool stratified);
 
 // Whether nothing at all, specular surfaces included, stands between a point of `triangle`, seen from `side`, and the
 // light sample.

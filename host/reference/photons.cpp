@@ -40,13 +40,15 @@ Start start_on_target(const Tracer& tracer, const shared::Beam& beam, double are
   Hit& hit = start.hit;
   hit.point += shift;
   const WorldTriangle& triangle = world.triangles[hit.triangle];
-  const LightSample light = sample_lights(world, beam.light_first, hit.point, key);
+  const LightSample light = sample_lights(world, beam.light_first, hit.point, key, world.area_lights);
   const double cosine = glm::dot(light.direction, triangle.geometric);
   Path& path = start.path;
   path.ray = {hit.point, -light.direction};
   path.triangle = hit.triangle;
   path.throughput = light.irradiance * std::abs(cosine) * area;
   path.differential = start_differential(triangle.geometric, path.ray.direction, light.distance);
+  if (light.extent > 0)
+    path.by_light = light_differential(light.normal, light.extent, path.ray.direction, light.distance);
   if (path.throughput == glm::dvec3(0) ||
       !visible(tracer, hit.point, hit.triangle, cosine > 0 ? triangle.geometric : -triangle.geometric, light)) {
     start.end = shared::END_BLOCKED;
@@ -74,10 +76,10 @@ Start meet_first(const Tracer& tracer, const Path& path, std::uint32_t map) {
 }
 
 Start start_in_view(const Tracer& tracer, const shared::Beam& beam, double area, const shared::uvec2& bits,
-                    const shared::RandomKey& key, const glm::dvec3& shift) {
+                    const glm::dvec3& shift) {
   const glm::dvec3 origin = glm::dvec3(beam.corner) + double(shared::unit_float(bits.x)) * glm::dvec3(beam.u) +
                             double(shared::unit_float(bits.y)) * glm::dvec3(beam.v) + shift;
-  const LightSample light = sample_light(tracer.world(), beam.light, 1, origin, key);
+  const LightSample light = sample_light(tracer.world(), beam.light, 1, origin, {});
   Path path;
   path.ray = {origin, -light.direction};
   path.throughput = light.irradiance * std::max(area, 0.0);
@@ -103,8 +105,23 @@ Start start_photon(const Tracer& tracer, const shared::Beam& beam, const shared:
   const double area = double(beam.power) * double(shared::window_weight(place, beam.own, beam.own_fade) -
                                                   shared::window_weight(place, beam.finer, beam.finer_fade));
   if (beam.kind == shared::START_ON_LIGHTS) return start_on_light(tracer, area, place, key, shift);
-  return beam.kind == shared::START_IN_VIEW ? start_in_view(tracer, beam, area, bits, key, shift)
+  return beam.kind == shared::START_IN_VIEW ? start_in_view(tracer, beam, area, bits, shift)
                                             : start_on_target(tracer, beam, area, bits, key, shift);
+}
+
+// Half-widths of a disc's two parts: in the facet that the path started on, m, and on its light, in units of its
+// extent.
+struct Reach {
+  double start, light;
+};
+
+// Paths from an area light lie in four dimensions, two of the start and two of the point on the light. Distances there
+// go as the geometric mean of those between starts and the light's image where the photon lands (`image`: its area,
+// m2), if that is wider. The factors were measured with lights of 0.6 to 6 degrees and 8,000 to 100,000 photons.
+Reach disc_reach(double reach, double image) {
+  if (!(image > 0)) return {reach, 0};
+  const double extent = std::sqrt(image);
+  return {std::max(reach, 2 * std::sqrt(reach * extent)), 0.5 * std::min(std::sqrt(reach / extent), 1.0)};
 }
 
 }  // namespace
@@ -128,9 +145,11 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
     if (decide(dimension) >= double(world.surfaces[triangle.material].specular)) {
       const bool arrived_in_front = glm::dot(triangle.geometric, path.ray.direction) < 0;
       const Discs discs = pass_discs(settings.discs, pass);
+      const Reach reach = disc_reach(double(beam->reach), spread(path.by_light));
       photon.position = hit.point;
-      photon.disc = make_footprint(path.differential, arrived_in_front ? triangle.geometric : -triangle.geometric,
-                                   discs.shrink * double(beam->reach), discs.narrowest, discs.widest);
+      photon.disc =
+          make_footprint({{path.differential, discs.shrink * reach.start}, {path.by_light, discs.shrink * reach.light}},
+                         arrived_in_front ? triangle.geometric : -triangle.geometric, discs.narrowest, discs.widest);
       // Scattered diffusely by its own target: it has met no specular surface and is direct light.
       photon.end = bounce > 0 ? hit.triangle : shared::END_DROPPED;
       break;
@@ -143,7 +162,8 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
       break;
     }
     absorb(path, next->t);
-    transfer(path.differential, path.ray.direction, next->t, world.triangles[next->triangle].geometric);
+    for (Differential* d : {&path.differential, &path.by_light})
+      transfer(*d, path.ray.direction, next->t, world.triangles[next->triangle].geometric);
     hit = *next;
   }
   photon.flux = path.throughput;

@@ -205,6 +205,8 @@ World build_world(const Scene& scene, MeniscusModel model) {
     for (const glm::dvec3& c : t.corner) world.radius = std::max(world.radius, glm::length(c));
   build_hierarchy(world);
   world.lights = make_lights(scene, world.triangles, world.surfaces, world.radius);
+  world.area_lights = std::any_of(world.lights.begin(), world.lights.end(),
+                                  [](const shared::Light& l) { return l.type == shared::LIGHT_AREA; });
   build_strata(world);
   return world;
 }

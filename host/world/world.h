@@ -53,6 +53,7 @@ struct World {
   std::vector<std::string> material_names;
   std::vector<shared::Surface> surfaces;  // by material
   std::vector<shared::Light> lights;
+  bool area_lights = false;  // some of them are
   std::vector<Stratum> strata;                  // those that have triangles
   std::vector<std::uint32_t> targets;           // triangles, by stratum
   std::vector<std::optional<LightView>> views;  // by light: photons of those that have one start there

@@ -79,5 +79,27 @@ SHARED uvec2 sobol_point(RandomKey key) {
   return uvec2(owen_scramble(point.x, scramble.x), owen_scramble(point.y, scramble.y));
 }
 
+// The same point's third and fourth dimensions (Joe and Kuo, "Constructing Sobol Sequences with Better Two-Dimensional
+// Projections", 2008): direction numbers by the recurrences of x^2 + x + 1 from 1, 3 and of x^3 + x + 1 from 1, 3, 1.
+SHARED uvec2 sobol_point_beyond(RandomKey key) {
+  uint z = 0u, w = 0u;
+  uint z0 = 0x80000000u, z1 = 0xC0000000u;
+  uint w0 = 0x80000000u, w1 = 0xC0000000u, w2 = 0x20000000u;
+  for (uint i = key.index; i != 0u; i >>= 1u) {
+    if ((i & 1u) != 0u) {
+      z ^= z0;
+      w ^= w0;
+    }
+    uint z2 = z1 ^ z0 ^ (z0 >> 2u), w3 = w1 ^ w0 ^ (w0 >> 3u);
+    z0 = z1;
+    z1 = z2;
+    w0 = w1;
+    w1 = w2;
+    w2 = w3;
+  }
+  uvec4 scramble = pcg4d(uvec4(key.pass, key.seed, key.stream, 0x5CA4B1Eu));
+  return uvec2(owen_scramble(z, scramble.z), owen_scramble(w, scramble.w));
+}
+
 SHARED_END
 #endif

@@ -12,7 +12,7 @@ double irradiance(const reference::Tracer& tracer, const WorldTriangle& facet, s
   double sum = 0;
   const auto add = [&](const glm::dvec3& towards, double reach, std::uint32_t emitter, double facing) {
     const double cosine = glm::dot(facet.geometric, towards);
-    const reference::LightSample sample{towards, reach, glm::dvec3(1), emitter};
+    const reference::LightSample sample{towards, reach, glm::dvec3(1), emitter, {}};
     if (facing > 0 && reference::visible(tracer, point, index, cosine > 0 ? facet.geometric : -facet.geometric, sample))
       sum += facing * std::abs(cosine);
   };
