@@ -1,5 +1,54 @@
 """The law by which an error falls with the number of photons: error^2 = floor^2 + (scale photons^-exponent)^2."""
+import os
+
 import numpy
+
+import plot
+from score import FLOOR
+from tables import Table, count, percent, seconds
+
+PHOTONS = (10000, 30000, 100000, 300000, 1000000, 3000000, 10000000)  # of one pass: three decades
+CLEARLY_ABOVE = 1.1  # times the floor: nearer to it, hardly anything of an error is left to fit
+ERRORS = ("ring", "pixel")
+
+
+def measure(cases):
+    """One table, the fits, and a plot of each scene."""
+    with_folds = [c for c in cases if c.scorer.fold is not None]
+    table = Table("scene", "photons", "CPU s", "ring %", "pixel %", "fold, mm")
+    curves = {}
+    for case in cases:
+        curves[case.name] = []
+        for photons in PHOTONS:
+            cost, errors = case.render("--photons", photons, "--passes", 1)
+            curves[case.name].append(errors)
+            fold = f"{errors['fold']:.3f}" if case in with_folds else ""
+            table.row(case.name, count(photons), seconds(cost), percent(errors["ring"]), percent(errors["pixel"]), fold)
+    print()
+    for case in with_folds:
+        farthest = max(abs(e["fold"] - case.scorer.fold) for e in curves[case.name])
+        print(f"- `{case.name}`: the fold lies at {case.scorer.fold:.3f} mm in the exact picture, at most {farthest:.3f} mm off in these.")
+    for name, scores in curves.items():
+        for k, kind in enumerate(ERRORS):
+            print(f"- `{name}`: " + sentence(kind, [s[kind] for s in scores], FLOOR[name][k]))
+    for case in cases:
+        plot.write(os.path.join(case.folder, f"{case.name}_law.svg"), f"{case.name}: error against photons", "photons", "relative RMS error",
+                   {kind: [(n, s[kind]) for n, s in zip(PHOTONS, curves[case.name])] for kind in ERRORS})
+
+
+def sentence(kind, errors, floor):
+    known, (exponent, fitted) = above(PHOTONS, errors, floor), fit(PHOTONS, errors)
+    start = f"photons^-{known:.2f} above the mesh's {100 * floor:.1f} %" if known else f"at once to the mesh's {100 * floor:.1f} %"
+    return f"the {kind} error falls as {start}; with the floor fitted too, as photons^-{exponent:.2f} above {100 * fitted:.1f} %."
+
+
+def above(photons, errors, floor):
+    """Exponent above a known floor, from the errors that are clearly above it; None if fewer than two are."""
+    chosen = [(n, e) for n, e in zip(photons, errors) if e > CLEARLY_ABOVE * floor]
+    if len(chosen) < 2:
+        return None
+    n, e = numpy.array(chosen).T
+    return -float(numpy.polyfit(numpy.log(n), 0.5 * numpy.log(e ** 2 - floor ** 2), 1)[0])
 
 
 def fit(photons, errors):

@@ -6,7 +6,7 @@ import shutil
 import numpy
 
 import depression
-from process import cpu_seconds
+from process import least_cpu_seconds
 from score import SIDE
 
 MM = 1e-3
@@ -71,11 +71,11 @@ def read_ppm(path):
     return numpy.frombuffer(data, ">u2", width * height * 3, at).reshape(height, width, 3).mean(2) / white
 
 
-def render(name, photons, folder, antialias=True):
-    """CPU seconds, and the irradiance relative to a horizontal plane's."""
+def render(name, photons, folder, antialias=True, repeats=1):
+    """CPU seconds, the least of several runs, and the irradiance relative to a horizontal plane's."""
     source, picture = (os.path.join(folder, f"{name}_povray.{ending}") for ending in ("pov", "ppm"))
     with open(source, "w", encoding="ascii") as file:
         file.write(scene(name, photons))
-    seconds = cpu_seconds([program(), f"+I{source}", f"+O{picture}", f"+W{SIDE}", f"+H{SIDE}", "+FP16", "File_Gamma=1", "Dither=off",
-                           "-D", *(["+A0.0", "+AM1", "+R3", "-J"] if antialias else ["-A"]), "Verbose=off"])
+    seconds = least_cpu_seconds([program(), f"+I{source}", f"+O{picture}", f"+W{SIDE}", f"+H{SIDE}", "+FP16", "File_Gamma=1", "Dither=off",
+                           "-D", *(["+A0.0", "+AM1", "+R3", "-J"] if antialias else ["-A"]), "Verbose=off"], repeats)
     return seconds, read_ppm(picture) * BRIGHTEST * TRANSMITTANCE

@@ -10,12 +10,14 @@ TABLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "t
 ALBEDO = 0.5
 SIDE = 250  # pixels
 SAMPLES = 8  # of the truth along a pixel's side
+FOLD_RING = 0.05  # mm, narrower than a pixel
 
 
 class Case:
-    def __init__(self, name, half_width, inner, outer, ring):
-        """Lengths in mm: half the picture's width; radii between which errors are taken; width of a ring."""
-        self.name, self.half_width, self.inner, self.outer, self.ring = name, half_width, inner, outer, ring
+    def __init__(self, name, half_width, inner, outer, ring, folds):
+        """Lengths in mm: half the picture's width; radii between which errors are taken; width of a ring. Whether there is a fold, the
+        bright ring where the caustic begins, wider than a pixel."""
+        self.name, self.half_width, self.inner, self.outer, self.ring, self.folds = name, half_width, inner, outer, ring, folds
 
     def radii(self, side):
         x = ((numpy.arange(side) + 0.5) / side * 2 - 1) * self.half_width
@@ -28,7 +30,7 @@ class Case:
         return irradiance.reshape(SIDE, SAMPLES, SIDE, SAMPLES).mean((1, 3))
 
 
-CASES = {"dep": Case("dep", 12.2, 2, 12, 0.1), "fibdep": Case("fibdep", 3.2, 0.1, 3, 0.05)}
+CASES = {"dep": Case("dep", 12.2, 2, 12, 0.1, True), "fibdep": Case("fibdep", 3.2, 0.1, 3, 0.05, False)}
 # Ring and pixel error of the mesh of 96 x 256 facets, however many photons.
 FLOOR = {"dep": (0.016, 0.030), "fibdep": (0.021, 0.052)}
 
@@ -50,10 +52,20 @@ class Scorer:
         radii = case.radii(SIDE)
         self.inside = (radii > case.inner) & (radii < case.outer)
         self.rings = (radii[self.inside] / case.ring).astype(int)
+        self.fold_rings = (radii[self.inside] / FOLD_RING).astype(int)
         self.truth = case.truth()[self.inside]
+        self.fold = self._fold(self.truth) if case.folds else None
+
+    def _fold(self, pixels):
+        """Radius of the brightest ring, mm: the top of the parabola through it and its neighbours."""
+        count = numpy.bincount(self.fold_rings)
+        means = numpy.bincount(self.fold_rings, pixels) / numpy.maximum(count, 1)
+        k = int(means.argmax())
+        before, top, after = means[k - 1:k + 2]
+        return float((k + 0.5 + 0.5 * (before - after) / (before - 2 * top + after)) * FOLD_RING)
 
     def score(self, image):
-        """ring: error of means over rings, pixel: of pixels, both relative RMS; flux: ratio of the sums."""
+        """ring: error of means over rings, pixel: of pixels, both relative RMS; flux: ratio of the sums; fold: its radius, mm, or None."""
         if image.shape != (SIDE, SIDE):
             raise ValueError(f"the picture has {image.shape[1]} x {image.shape[0]} pixels; render {SIDE} x {SIDE}")
         pixels = image[self.inside]
@@ -61,4 +73,4 @@ class Scorer:
         used = count > 0
         means, true_means = (numpy.bincount(self.rings, v)[used] / count[used] for v in (pixels, self.truth))
         return {"ring": relative_rms(means - true_means, true_means), "pixel": relative_rms(pixels - self.truth, self.truth),
-                "flux": float(pixels.sum() / self.truth.sum())}
+                "flux": float(pixels.sum() / self.truth.sum()), "fold": None if self.fold is None else self._fold(pixels)}

@@ -9,7 +9,7 @@ from shapes import cylinder, square
 
 MM = 1e-3
 CAPILLARY_LENGTH = 2.727 * MM
-RINGS, AROUND = 96, 256  # rows and columns of the surface's mesh
+RINGS, AROUND = 96, 256  # rows and columns of the surface's mesh, by default
 WATER_DEPTH = 50 * MM
 WATER_HALF_WIDTH = 60 * MM
 
@@ -22,44 +22,44 @@ def bessel_k(order, x):
     return step * (0.5 * math.exp(-x) + math.fsum(terms))
 
 
-def circle():
-    return [(math.cos(2 * math.pi * k / AROUND), math.sin(2 * math.pi * k / AROUND)) for k in range(AROUND)]
+def circle(around):
+    return [(math.cos(2 * math.pi * k / around), math.sin(2 * math.pi * k / around)) for k in range(around)]
 
 
-def stitched(rings):
-    """Triangles between consecutive rings of AROUND vertices, counter-clockwise from above where rings grow."""
-    quads = [(AROUND * i + k, AROUND * i + (k + 1) % AROUND) for i in range(rings - 1) for k in range(AROUND)]
-    return [(a, b + AROUND, a + AROUND) for a, b in quads] + [(a, b, b + AROUND) for a, b in quads]
+def stitched(rings, around):
+    """Triangles between consecutive rings of `around` vertices, counter-clockwise from above where rings grow."""
+    quads = [(around * i + k, around * i + (k + 1) % around) for i in range(rings - 1) for k in range(around)]
+    return [(a, b + around, a + around) for a, b in quads] + [(a, b, b + around) for a, b in quads]
 
 
-def depression(radius, depth, radii):
+def depression(radius, depth, radii, around):
     """The surface over the rings `radii`, the first at the post."""
     at_post = bessel_k(0, radius / CAPILLARY_LENGTH)
-    positions, normals = [], []
+    positions, normals, directions = [], [], circle(around)
     for r in radii:
         height = -depth * bessel_k(0, r / CAPILLARY_LENGTH) / at_post
         slope = depth * bessel_k(1, r / CAPILLARY_LENGTH) / (at_post * CAPILLARY_LENGTH)
-        positions += [(r * c, height, r * s) for c, s in circle()]
-        normals += [tuple(n / math.hypot(1, slope) for n in (-slope * c, 1, -slope * s)) for c, s in circle()]
-    return positions, normals, stitched(len(radii))
+        positions += [(r * c, height, r * s) for c, s in directions]
+        normals += [tuple(n / math.hypot(1, slope) for n in (-slope * c, 1, -slope * s)) for c, s in directions]
+    return positions, normals, stitched(len(radii), around)
 
 
-def flat_rest(inner):
+def flat_rest(inner, around):
     """From the circle of radius `inner` to the edge of the square that the water fills."""
-    edge = [(WATER_HALF_WIDTH * c / max(abs(c), abs(s)), 0, WATER_HALF_WIDTH * s / max(abs(c), abs(s))) for c, s in circle()]
-    positions = [(inner * c, 0, inner * s) for c, s in circle()] + edge
-    return positions, [(0, 1, 0)] * len(positions), stitched(2)
+    edge = [(WATER_HALF_WIDTH * c / max(abs(c), abs(s)), 0, WATER_HALF_WIDTH * s / max(abs(c), abs(s))) for c, s in circle(around)]
+    positions = [(inner * c, 0, inner * s) for c, s in circle(around)] + edge
+    return positions, [(0, 1, 0)] * len(positions), stitched(2, around)
 
 
 class Parts:
     """Meshes of a scene round the post of `radius`, and half the width that is seen of it."""
 
-    def __init__(self, radius, depth, radii, half_width):
+    def __init__(self, radius, depth, radii, half_width, around=AROUND):
         self.half_width = half_width
         self.floor = square(WATER_HALF_WIDTH, -WATER_DEPTH)
-        self.meniscus = depression(radius, depth, radii)
-        self.rest = flat_rest(radii[-1])
-        self.post = cylinder(radius, (0, -WATER_DEPTH, 0), (0, 10 * MM, 0), AROUND)
+        self.meniscus = depression(radius, depth, radii, around)
+        self.rest = flat_rest(radii[-1], around)
+        self.post = cylinder(radius, (0, -WATER_DEPTH, 0), (0, 10 * MM, 0), around)
 
 
 def scene(parts):
@@ -83,9 +83,10 @@ def scene(parts):
     return result
 
 
-def dep():
-    """A post of 4 mm: rings densest where the surface is steepest."""
-    return Parts(2 * MM, 1.5 * MM, [2 * MM + 12 * MM * (i / RINGS) ** 2 for i in range(RINGS + 1)], 12.2 * MM)
+def dep(fineness=1):
+    """A post of 4 mm: rings densest where the surface is steepest; `fineness` times as many rows and columns."""
+    rings, around = round(fineness * RINGS), round(fineness * AROUND)
+    return Parts(2 * MM, 1.5 * MM, [2 * MM + 12 * MM * (i / rings) ** 2 for i in range(rings + 1)], 12.2 * MM, around)
 
 
 def fibdep():
