@@ -15,7 +15,7 @@ RESOLUTION = "320x240"
 REFERENCE_SEED, REFERENCE_PASSES = 9, 256  # another seed than the pictures that it judges
 RADII = (0.125, 0.25, 0.5, 1)  # times the default of ordinary photon maps; wider blur more
 CAUSTIC_PART = 0.05     # of the brightest targeted irradiance: above it, a pixel belongs to the caustic
-WHITE = 98              # percentile of the reference's radiance that the pictures show as white
+WHITE = 2.5             # times the reference's median radiance: shown as white
 GAP = 8                 # pixels between the pictures
 
 
@@ -99,10 +99,10 @@ def measure(meniscal, scene, budgets, folder):
     for budget in budgets:
         table.row(f"{budget:g}", *(f"{at_equal_time(plotted[f'ordinary, {r}'], budget) / at_equal_time(plotted[f'targeted, {r}'], budget):.1f}"
                                    for r in regions))
-    white = numpy.percentile(reference, WHITE)
+    white = WHITE * numpy.median(reference)
     pair = [png.display(image, white) for image in (theirs, ours)]
     png.write(os.path.join(folder, "equal_time.png"), numpy.hstack([pair[0], numpy.full((len(pair[0]), GAP, 3), 255, numpy.uint8), pair[1]]))
     name = os.path.splitext(os.path.basename(scene))[0]
     plot.write(os.path.join(folder, "equal_time.svg"), f"{name}: error at equal CPU seconds", "CPU seconds of the process",
-               "relative RMS error", plotted)
+               "relative RMS error, %", {name: [(x, 100 * y) for x, y in points] for name, points in plotted.items()})
     print(f"\nOrdinary beside targeted at {budgets[-1]:g} CPU s: {os.path.join(folder, 'equal_time.png')}; plot: equal_time.svg there.")

@@ -35,24 +35,25 @@ def measure(meniscal, folder):
     sweep = Sweep(meniscal, folder)
     scene = growth_scenes.depression(folder, 50000)
     start = sweep.render(scene, FEW, SIDE)
-    by_units("photon", PHOTONS, start, [sweep.render(scene, n, SIDE) for n in PHOTONS])
+    by_units("photon", PHOTONS, start, (sweep.render(scene, n, SIDE) for n in PHOTONS))
     start = sweep.render(scene, 100000, 16)
-    by_units("pixel", [s * s for s in SIDES], start, [sweep.render(scene, 100000, s) for s in SIDES])
+    by_units("pixel", [s * s for s in SIDES], start, (sweep.render(scene, 100000, s) for s in SIDES))
     by_scenes(sweep, "triangle", TRIANGLES, growth_scenes.depression)
     by_scenes(sweep, "post", POSTS, growth_scenes.posts)
 
 
 def by_units(unit, counts, start, runs):
-    """start: the run with next to none."""
+    """start: the run with next to none; runs: one for each count, taken as they come."""
     table = Table(f"{unit}s", "CPU s", f"CPU µs a {unit}", "device MiB", "host MiB", f"device bytes a {unit} more", "host", words=0)
-    last = None
+    last, work = None, []
     for n, run in zip(counts, runs):
         spent, device, host = run
+        work.append(spent - start[0])
         more = [f"{(run[k] - last[1][k]) / (n - last[0]):.1f}" for k in (1, 2)] if last else ["", ""]
-        table.row(count(n), seconds(spent), f"{1e6 * (spent - start[0]) / n:.2f}", f"{device / MIB:.0f}", f"{host / MIB:.0f}", *more)
+        table.row(count(n), seconds(spent), f"{1e6 * work[-1] / n:.2f}", f"{device / MIB:.0f}", f"{host / MIB:.0f}", *more)
         last = n, run
     print(f"\nCPU seconds beyond the {start[0]:.2f} that the picture takes with next to none grow as {unit}s^"
-          f"{slope(counts, [r[0] - start[0] for r in runs]):.2f}.\n")
+          f"{slope(counts, work):.2f}.\n")
 
 
 def by_scenes(sweep, unit, counts, make):

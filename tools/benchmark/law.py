@@ -32,8 +32,8 @@ def measure(cases):
         for k, kind in enumerate(ERRORS):
             print(f"- `{name}`: " + sentence(kind, [s[kind] for s in scores], FLOOR[name][k]))
     for case in cases:
-        plot.write(os.path.join(case.folder, f"{case.name}_law.svg"), f"{case.name}: error against photons", "photons", "relative RMS error",
-                   {kind: [(n, s[kind]) for n, s in zip(PHOTONS, curves[case.name])] for kind in ERRORS})
+        plot.write(os.path.join(case.folder, f"{case.name}_law.svg"), f"{case.name}: error against photons", "photons", "relative RMS error, %",
+                   {kind: [(n, 100 * s[kind]) for n, s in zip(PHOTONS, curves[case.name])] for kind in ERRORS})
 
 
 def sentence(kind, errors, floor):
