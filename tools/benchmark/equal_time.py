@@ -13,7 +13,7 @@ from tables import Table, seconds
 PHOTONS = 100000        # per pass
 RESOLUTION = "320x240"
 REFERENCE_SEED, REFERENCE_PASSES = 9, 256  # another seed than the pictures that it judges
-RADII = (0.125, 0.25, 0.5, 1)  # times the default of ordinary photon maps; wider blur more
+RADII = (0.0625, 0.125, 0.25, 0.5, 1)  # times the default of ordinary photon maps; wider ones blur the caustic away
 CAUSTIC_PART = 0.05     # of the brightest targeted irradiance: above it, a pixel belongs to the caustic
 WHITE = 2.5             # times the reference's median radiance: shown as white
 GAP = 8                 # pixels between the pictures

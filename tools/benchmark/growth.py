@@ -32,14 +32,17 @@ class Sweep:
 
 
 def measure(meniscal, folder):
+    """A table for each sweep, then what they say."""
     sweep = Sweep(meniscal, folder)
-    scene = growth_scenes.depression(folder, 50000)
+    scene = growth_scenes.write("depression", 50000, folder)
     start = sweep.render(scene, FEW, SIDE)
-    by_units("photon", PHOTONS, start, (sweep.render(scene, n, SIDE) for n in PHOTONS))
+    findings = [by_units("photon", PHOTONS, start, (sweep.render(scene, n, SIDE) for n in PHOTONS))]
     start = sweep.render(scene, 100000, 16)
-    by_units("pixel", [s * s for s in SIDES], start, (sweep.render(scene, 100000, s) for s in SIDES))
-    by_scenes(sweep, "triangle", TRIANGLES, growth_scenes.depression)
-    by_scenes(sweep, "post", POSTS, growth_scenes.posts)
+    findings.append(by_units("pixel", [s * s for s in SIDES], start, (sweep.render(scene, 100000, s) for s in SIDES)))
+    findings.append(by_scenes(sweep, "triangle", TRIANGLES, "depression"))
+    findings.append(by_scenes(sweep, "post", POSTS, "posts"))
+    for finding in findings:
+        print(f"- {finding}")
 
 
 def by_units(unit, counts, start, runs):
@@ -49,44 +52,53 @@ def by_units(unit, counts, start, runs):
     for n, run in zip(counts, runs):
         spent, device, host = run
         work.append(spent - start[0])
-        more = [f"{(run[k] - last[1][k]) / (n - last[0]):.1f}" for k in (1, 2)] if last else ["", ""]
-        table.row(count(n), seconds(spent), f"{1e6 * work[-1] / n:.2f}", f"{device / MIB:.0f}", f"{host / MIB:.0f}", *more)
+        more = bytes_more(n, run, last)
+        table.row(count(n), seconds(spent), microseconds(work[-1] / n), f"{device / MIB:.0f}", f"{host / MIB:.0f}", *more)
         last = n, run
-    print(f"\nCPU seconds beyond the {start[0]:.2f} that the picture takes with next to none grow as {unit}s^"
-          f"{slope(counts, work):.2f}.\n")
+    print()
+    large = [(n, w) for n, w in zip(counts, work) if w > start[0]]
+    power = f"{unit}s^{slope(*zip(*large)):.2f}" if len(large) > 1 else "no power that could be told from what every picture costs"
+    return (f"CPU seconds beyond the {start[0]:.2f} of a picture with next to none grow as {power}, to {microseconds(work[-1] / n)} µs a {unit} "
+            f"at {count(n)}; device memory by {more[0]} bytes with each {unit} more, to {device / MIB:.0f} MiB.")
 
 
-def by_scenes(sweep, unit, counts, make):
-    """make(folder, count): path of a scene. What the scene itself takes, and what a photon takes in it."""
+def by_scenes(sweep, unit, counts, kind):
+    """kind: of growth_scenes. What the scene itself takes, and what a photon takes in it."""
     table = Table(f"{unit}s", "CPU s before the first photon", f"CPU µs a {unit}", "CPU µs a photon", "device MiB", "host MiB",
                   f"device bytes a {unit} more", "host", words=0)
-    measured, last, refused = [], None, None
+    measured, last, refused = [], None, ""
     for n in counts:
-        scene = make(sweep.folder, n)
+        scene = growth_scenes.write(kind, n, sweep.folder)
         try:
             few, many = sweep.render(scene, FEW, 64), sweep.render(scene, MANY, 64)
         except Refused as reason:
-            refused = count(n), reason
+            refused = f" {count(n)} are refused: {reason}"
             break
         finally:
             os.remove(scene)
         a_photon = (many[0] - few[0]) / (MANY - FEW)
         measured.append((n, few[0], a_photon))
-        more = [f"{(few[k] - last[1][k]) / (n - last[0]):.0f}" for k in (1, 2)] if last else ["", ""]
-        table.row(count(n), seconds(few[0]), f"{1e6 * few[0] / n:.2f}", f"{1e6 * a_photon:.2f}", f"{few[1] / MIB:.0f}",
+        more = bytes_more(n, few, last)
+        table.row(count(n), seconds(few[0]), microseconds(few[0] / n), microseconds(a_photon), f"{few[1] / MIB:.0f}",
                   f"{few[2] / MIB:.0f}", *more)
         last = n, few
     print()
-    if refused:
-        print(f"{refused[0]} {unit}s are refused: {refused[1]}\n")
-    n, _, a_photon = zip(*measured)
+    n, before, a_photon = zip(*measured)
     each = numpy.polyfit(numpy.log2(n), 1e6 * numpy.array(a_photon), 1)[0]
-    print(f"A photon's CPU seconds grow as {unit}s^{slope(n, a_photon):.2f}: {each:+.2f} µs with every doubling.\n")
+    return (f"With {count(n[0])} to {count(n[-1])} {unit}s a photon's CPU seconds grow as {unit}s^{slope(n, a_photon):.2f}: {each:+.2f} µs with "
+            f"every doubling. The scene itself takes {before[-1]:.1f} CPU s at last and {more[0]} bytes on the device with each {unit} more."
+            + refused)
+
+
+def bytes_more(n, run, last):
+    """Of device and host, for every unit more than in the run before."""
+    return [count(round((run[k] - last[1][k]) / (n - last[0]))) for k in (1, 2)] if last else ["", ""]
+
+
+def microseconds(seconds_each):
+    return f"{1e6 * seconds_each:.2f}" if seconds_each < 1e-4 else count(round(1e6 * seconds_each))
 
 
 def slope(counts, costs):
     """Of the logarithms."""
-    kept = [(n, c) for n, c in zip(counts, costs) if c > 0]
-    if len(kept) < 2:
-        return float("nan")
-    return float(numpy.polyfit(*numpy.log(kept).T, 1)[0])
+    return float(numpy.polyfit(numpy.log(counts), numpy.log(costs), 1)[0])

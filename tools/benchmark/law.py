@@ -27,7 +27,7 @@ def measure(cases):
     print()
     for case in with_folds:
         farthest = max(abs(e["fold"] - case.scorer.fold) for e in curves[case.name])
-        print(f"- `{case.name}`: the fold lies at {case.scorer.fold:.3f} mm in the exact picture, at most {farthest:.3f} mm off in these.")
+        print(f"- `{case.name}`: the fold lies at {case.scorer.fold:.3f} mm in the exact picture, and at most {farthest:.3f} mm off in these.")
     for name, scores in curves.items():
         for k, kind in enumerate(ERRORS):
             print(f"- `{name}`: " + sentence(kind, [s[kind] for s in scores], FLOOR[name][k]))
@@ -38,8 +38,9 @@ def measure(cases):
 
 def sentence(kind, errors, floor):
     known, (exponent, fitted) = above(PHOTONS, errors, floor), fit(PHOTONS, errors)
-    start = f"photons^-{known:.2f} above the mesh's {100 * floor:.1f} %" if known else f"at once to the mesh's {100 * floor:.1f} %"
-    return f"the {kind} error falls as {start}; with the floor fitted too, as photons^-{exponent:.2f} above {100 * fitted:.1f} %."
+    falls = f"falls as photons^-{known:.2f} above" if known else "begins at"
+    return (f"the {kind} error {falls} the mesh's {100 * floor:.1f} %; with the floor fitted too, it falls as photons^-{exponent:.2f} "
+            f"above {100 * fitted:.1f} %.")
 
 
 def above(photons, errors, floor):
