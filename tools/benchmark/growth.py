@@ -72,7 +72,8 @@ def by_scenes(sweep, unit, counts, kind):
         try:
             few, many = sweep.render(scene, FEW, 64), sweep.render(scene, MANY, 64)
         except Refused as reason:
-            refused = f" {count(n)} are refused: {reason}"
+            print(f"\n{count(n)} {unit}s: {reason}")
+            refused = f" {count(n)} are more than the device holds."
             break
         finally:
             os.remove(scene)
@@ -101,4 +102,6 @@ def microseconds(seconds_each):
 
 def slope(counts, costs):
     """Of the logarithms."""
+    if min(costs) <= 0:
+        raise SystemExit("benchmark: --growth: more work cost fewer CPU seconds; the machine is too busy to measure")
     return float(numpy.polyfit(numpy.log(counts), numpy.log(costs), 1)[0])
