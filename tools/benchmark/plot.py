@@ -44,7 +44,8 @@ def write(path, title, x_label, y_label, curves):
         lines += [f'<path d="M{x:.1f} {TOP}V{HEIGHT - BOTTOM}" stroke="#ddd"/>', text(x, HEIGHT - BOTTOM + 15, f"{tick:,.10g}".replace(",", " "))]
     for tick in ticks(*spans[1]):
         y = place(tick, 1)
-        lines += [f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" stroke="#ddd"/>', text(LEFT - 6, y + 4, f"{tick:,.10g}".replace(",", " "), text_anchor="end")]
+        lines += [f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" stroke="#ddd"/>',
+                  text(LEFT - 6, y + 4, f"{tick:,.10g}".replace(",", " "), text_anchor="end")]
     lines += [text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 12, x_label),
               text(16, HEIGHT / 2, y_label, transform=f"rotate(-90 16 {HEIGHT / 2})")]
     names = spread({name: place(max(curve)[1], 1) for name, curve in curves.items()})
