@@ -81,10 +81,9 @@ Buffer::Buffer(const Device& device, std::string name, size_t bytes, Memory memo
 
 Buffer::Buffer(std::shared_ptr<Context> context, std::string name, size_t bytes, Memory memory)
     : context_(std::move(context)), name_(std::move(name)), bytes_(bytes) {
-  if (bytes > context_->limits.max_storage_range) {
+  if (bytes > context_->limits.max_buffer)
     too_large(*context_, name_, bytes,
-              "the device's storage buffer range of " + mebibytes(context_->limits.max_storage_range));
-  }
+              "the largest that the device allocates, " + mebibytes(context_->limits.max_buffer));
   const auto& vk = context_->vk;
   const std::string doing = "making buffer '" + name_ + "' of " + mebibytes(bytes_);
   auto info = vk_structure<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
@@ -108,6 +107,13 @@ Buffer::Buffer(std::shared_ptr<Context> context, std::string name, size_t bytes,
   if ((flags & coherent) == coherent && cheap && memory != Memory::staged) {
     context_->check(vk.vkMapMemory(context_->device, memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped_), doing);
   }
+}
+
+VkBuffer Buffer::storage() const {
+  if (bytes_ > context_->limits.max_storage_range)
+    too_large(*context_, name_, bytes_,
+              "the device's storage buffer range of " + mebibytes(context_->limits.max_storage_range));
+  return buffer_.get();
 }
 
 VkBufferView Buffer::view(Format format) const {

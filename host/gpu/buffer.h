@@ -26,7 +26,7 @@ enum class Format { rgba32f, rgba32ui };
 class Buffer {
  public:
   // bytes may be 0: the buffer is then small and valid. Throws Error(ExitCode::device), naming sizes, where bytes
-  // exceed Limits::max_storage_range or memory runs out.
+  // exceed Limits::max_buffer or memory runs out.
   Buffer(const Device& device, std::string name, size_t bytes, Memory memory = Memory::device);
 
   const std::string& name() const { return name_; }
@@ -55,6 +55,7 @@ class Buffer {
 
   // For pass.cpp and commands.cpp.
   VkBuffer handle() const { return buffer_.get(); }
+  VkBuffer storage() const;  // to bind as a storage buffer; Error(ExitCode::device) over max_storage_range
   VkBufferView view(Format format) const;  // made at the first call; Error(ExitCode::device) over max_texel_elements
 
  private:

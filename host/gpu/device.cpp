@@ -80,7 +80,8 @@ void read_limits(Context& context) {
 
   const VkPhysicalDeviceLimits& given = properties.properties.limits;
   Limits& limits = context.limits;
-  limits.max_storage_range = std::min<size_t>(given.maxStorageBufferRange, allocation.maxMemoryAllocationSize);
+  limits.max_buffer = allocation.maxMemoryAllocationSize;
+  limits.max_storage_range = std::min<size_t>(given.maxStorageBufferRange, limits.max_buffer);
   limits.max_storage_buffers = given.maxPerStageDescriptorStorageBuffers;
   limits.max_texel_buffers = given.maxPerStageDescriptorSampledImages;
   limits.max_texel_elements = given.maxTexelBufferElements;

@@ -23,7 +23,8 @@ struct DeviceInfo {
 
 // What the renderer cares for; sizes in bytes unless said otherwise.
 struct Limits {
-  size_t max_storage_range;      // of one storage buffer
+  size_t max_buffer;             // of any buffer
+  size_t max_storage_range;      // of one read or written as a storage buffer
   uint32_t max_storage_buffers;  // of one pass
   uint32_t max_texel_buffers;
   size_t max_texel_elements;    // texels of one texel buffer; Vulkan guarantees no more than 65,536

@@ -122,7 +122,8 @@ BindingSet ComputePass::bind(const std::vector<Bound>& buffers) const {
 
   for (const Bound& bound : buffers) {
     const Kind kind = std::ranges::find(bindings_, bound.binding, &Binding::binding)->kind;
-    const VkDescriptorBufferInfo range{bound.buffer.handle(), 0, VK_WHOLE_SIZE};
+    const VkBuffer buffer = kind == Kind::texel ? bound.buffer.handle() : bound.buffer.storage();
+    const VkDescriptorBufferInfo range{buffer, 0, VK_WHOLE_SIZE};
     const VkBufferView view = kind == Kind::texel ? bound.buffer.view(bound.format) : VK_NULL_HANDLE;
     auto write = vk_structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     write.dstSet = set;

@@ -103,12 +103,24 @@ TEST_F(GpuTest, CountsBytes) {
 }
 
 TEST_F(GpuTest, RefusesBuffersThatAreTooLarge) {
-  const size_t bytes = device->limits().max_storage_range + 1;
+  const size_t bytes = device->limits().max_buffer + 1;
   const std::string text = error_text([&] { Buffer(*device, "huge", bytes); }, ExitCode::device);
   expect_contains(text, "'huge'");
   expect_contains(text, std::to_string(bytes));
   expect_contains(text, std::to_string(bytes - 1));
   EXPECT_EQ(device->bytes_now(), 0u);
+}
+
+// Large tables may be read through texel buffers where they exceed what a storage buffer may hold.
+TEST_F(GpuTest, BindsWhatIsTooLargeForAStorageBufferAsTexels) {
+  const Limits& limits = device->limits();
+  if (limits.max_texel_elements <= limits.max_storage_range / 16 || limits.max_buffer <= limits.max_storage_range)
+    GTEST_SKIP() << "texel buffers hold no more than storage buffers on this device";
+  const Buffer large(*device, "large", limits.max_storage_range + 16);
+  EXPECT_NO_THROW(large.view(Format::rgba32ui));
+  const std::string text = error_text([&] { (void)large.storage(); }, ExitCode::device);
+  expect_contains(text, "'large'");
+  expect_contains(text, "storage buffer range");
 }
 
 TEST_F(GpuTest, OutlivesTheDeviceHandle) {
