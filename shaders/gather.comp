@@ -7,10 +7,11 @@
 #include "shared/structs.h"
 
 layout(push_constant) uniform Push { GatherPush push; };
-FETCH_TABLE(0, photons)
+FETCH_TABLE(0, discs)
 layout(set = 0, binding = 1, std430) readonly buffer Cells { uvec2 cells[]; };
 layout(set = 0, binding = 2, std430) buffer Samples { PixelSample samples[]; };
 layout(set = 0, binding = 3, std430) buffer Counters { uint counters[]; };
+FETCH_WORDS(4, listed)
 
 // Pixels that run together lie in blocks of 8 x 8, and in those in blocks of 4 x 2: they read the same cells.
 uint pixel_of(uint invocation) {
@@ -21,28 +22,27 @@ uint pixel_of(uint invocation) {
 }
 
 void main() {
-  uint i = pixel_of(push.first + invocation_index());
-  if (i >= push.pixels || samples[i].triangle >= END_FIRST) return;
+  uint invocation = invocation_index();
+  uint i = pixel_of(push.first + invocation);
+  if (invocation >= push.count || i >= push.pixels || samples[i].triangle >= END_FIRST) return;
   vec3 position = samples[i].position, normal = samples[i].normal;
   vec3 targeted = vec3(0.0), caustic = vec3(0.0);
   float targeted_count = 0.0, caustic_count = 0.0;
   uint seen = 0u;  // candidates so far, over all cells: those of this round are [first_candidate, first_candidate + GATHER_ROUND)
   uint round_end = push.first_candidate + GATHER_ROUND;
-  for (uint c = 0u; c < 8u * push.levels; ++c) {
-    uint level = c >> 3u;
-    float size = level_cell_size(push.narrowest, level);
-    ivec3 cell = grid_cell(position - 0.5 * size, size) + ivec3(c & 1u, (c >> 1u) & 1u, (c >> 2u) & 1u);
+  for (uint level = 0u; level < push.levels; ++level) {
+    ivec3 cell = grid_cell(position, level_cell_size(push.narrowest, level));
     uvec2 range = cells[cell_key(cell, level, push.cell_mask)];
     uint first = range.x + min(max(push.first_candidate, seen) - seen, range.y - range.x);
     uint last = range.x + min(max(round_end, seen) - seen, range.y - range.x);
     for (uint p = first; p < last; ++p) {
-      uvec4 place = FETCH(photons, 3u * p), along = FETCH(photons, 3u * p + 1u), across = FETCH(photons, 3u * p + 2u);
-      vec3 photon = uintBitsToFloat(place.xyz), alpha = uintBitsToFloat(along.xyz), beta = uintBitsToFloat(across.xyz);
-      vec3 offset = position - photon, facing = cross(alpha, beta);
+      uint photon = FETCH_WORD(listed, p), texel = 3u * (photon & ~LISTED_TWICE);
+      uvec4 place = FETCH(discs, texel), along = FETCH(discs, texel + 1u), across = FETCH(discs, texel + 2u);
+      vec3 offset = position - uintBitsToFloat(place.xyz), alpha = uintBitsToFloat(along.xyz), beta = uintBitsToFloat(across.xyz);
+      vec3 facing = cross(alpha, beta);
       float a = dot(alpha, offset), b = dot(beta, offset), q2 = a * a + b * b, density = length(facing);
-      // Cells that share a key share a range: each photon counts in its own cell only. Photons of another side of the surface, or
-      // beyond a corner or step, are another surface's.
-      if (q2 < 1.0 && grid_cell(photon, size) == cell && dot(facing, normal) > 0.8 * density && abs(dot(offset, normal)) < 0.25 * size) {
+      // Cells that share a key share a range: what is not of this cell does not hold the point.
+      if (disc_holds(offset, normal, q2, beta, facing, density) && photon < LISTED_TWICE) {
         vec3 irradiance = uintBitsToFloat(uvec3(place.w & 0x7FFFFFFFu, along.w, across.w)) * (disc_kernel(q2) * density);
         if ((place.w >> 31u) == MAP_TARGETED) {
           targeted += irradiance;

@@ -11,7 +11,6 @@ FETCH_TABLE(BIND_BEAMS, beams)
 FETCH_TABLE(BIND_VIEW, view)
 layout(set = 0, binding = BIND_ENDS, std430) writeonly buffer Ends { PhotonEnd ends[]; };
 layout(set = 0, binding = BIND_DISCS, std430) writeonly buffer Discs { PhotonDisc discs[]; };
-layout(set = 0, binding = BIND_KEYS, std430) writeonly buffer Keys { uint keys[]; };
 layout(set = 0, binding = BIND_SAMPLES, std430) writeonly buffer Samples { PixelSample samples[]; };
 
 const uint BEAM_TEXELS = 14u;
@@ -60,18 +59,15 @@ float widen(inout float reach, float image) {
   return 0.5 * min(ratio, 1.0);
 }
 
-// The photon's footprint on the surface it is stored on, and the cell of the hash grid.
-void store(uint slot, Path path, float reach, vec3 position, vec3 side) {
+float with_map(float flux, uint map) { return uintBitsToFloat(floatBitsToUint(flux) | (map << 31u)); }
+
+// The photon's footprint on the surface it is stored on.
+void store(uint slot, Path path, float reach, vec3 position, vec3 side, uint map) {
   float light_reach = 0.0;
   if (HAS_AREA && HAS_DIFFERENTIALS) light_reach = widen(reach, spread(path.by_light));
-  PhotonDisc disc;
-  make_disc(path.differential, push.shrink * reach, path.by_light, push.shrink * light_reach, side, push.narrowest, push.widest,
-            disc.alpha, disc.beta);
-  float half_width = inversesqrt(min(dot(disc.alpha, disc.alpha), dot(disc.beta, disc.beta)));
-  uint level = 0u;
-  while (level + 1u < GRID_LEVELS && 1.00001 * half_width > 1.00002 * push.narrowest * float(1u << level)) level += 1u;
-  discs[slot] = disc;
-  keys[slot] = cell_key(grid_cell(position, level_cell_size(push.narrowest, level)), level, push.cell_mask);
+  vec3 alpha, beta, flux = path.throughput;
+  make_disc(path.differential, push.shrink * reach, path.by_light, push.shrink * light_reach, side, push.narrowest, push.widest, alpha, beta);
+  discs[slot] = PhotonDisc(position, with_map(flux.x, map), alpha, flux.y, beta, flux.z);
 }
 
 // A camera path's start through a place in pixels, from the image's upper left corner.
@@ -120,7 +116,7 @@ void main() {
     while (b + 1u < push.beams && item >= FETCH(beams, BEAM_TEXELS * (b + 1u)).w) b += 1u;
     beam = fetch_beam(b);
     random = RandomKey(push.seed, push.pass, STREAM_BEAM + b, start_index(b, item - beam.first, beam.count, beam.order_bits));
-    keys[slot] = NO_CELL;
+    discs[slot].alpha = vec3(0.0);
     uvec2 start = start_bits(random, beam.start, beam.extent);
     vec2 place = vec2(unit_float(start.x), unit_float(start.y));
     power = beam.power * (window_weight(place, beam.own, beam.own_fade) - window_weight(place, beam.finer, beam.finer_fade));
@@ -245,7 +241,7 @@ void main() {
     } else {
       // A photon that its target scatters diffusely at once has met no specular surface.
       end = met > 0u ? point.triangle : END_DROPPED;
-      if (met > 0u) store(slot, path, beam.reach, point.position, side);
+      if (met > 0u) store(slot, path, beam.reach, point.position, side, map);
     }
   }
 
@@ -258,7 +254,7 @@ void main() {
     }
     samples[slot] = s;
   } else {
-    path.throughput.x = uintBitsToFloat(floatBitsToUint(path.throughput.x) | (map << 31u));
+    path.throughput.x = with_map(path.throughput.x, map);
     ends[slot] = PhotonEnd(point.position, end, path.throughput, entered);
   }
   atomicAdd(counters[COUNTER_RAYS], rays_traced);

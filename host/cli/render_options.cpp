@@ -12,8 +12,8 @@
 namespace meniscal {
 namespace {
 
-constexpr int kMaxSide = 65536;  // pixels; what is allocated is checked against memory later
-constexpr double kMaxPasses = std::numeric_limits<std::uint32_t>::max();
+constexpr int kMaxSide = 65536;            // pixels; what is allocated is checked against memory later
+constexpr double kMaxPasses = 0x7FFFFFFF;  // the pilot takes the random numbers of those beyond
 
 // "a,b,c" -> {"a", "b", "c"}; an empty text is one empty part.
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -146,8 +146,7 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       command, "--pass-range", "A:B", "Only passes A <= i < B, for splitting over machines",
       [&](const std::string& name, const std::string& text) { options.pass_range = parse_pass_range(name, text); });
   command
-      .add_option("--radius", options.radius,
-                  "Gather radius of pass 0; by default from pixel footprint and photon density")
+      .add_option("--radius", options.radius, "Round footprints of that radius in pass 0, instead of each photon's own")
       ->type_name("METRES")
       ->check(positive());
   command

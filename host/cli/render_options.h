@@ -52,7 +52,7 @@ struct RenderOptions {
   std::optional<std::uint32_t> photons;  // per pass; not given: the quality's
   std::optional<std::uint32_t> passes;   // not given: the quality's, or the range's
   std::optional<PassRange> pass_range;
-  std::optional<double> radius;  // gather radius of pass 0, metres; not given: from pixel footprint and photon density
+  std::optional<double> radius;  // of round footprints in pass 0, metres; not given: each photon has its own
   std::uint32_t diffuse_bounces = 0, specular_bounces = 16;
   std::uint32_t seed = 0;
   MapScale map_scale;

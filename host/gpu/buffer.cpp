@@ -118,7 +118,7 @@ VkBuffer Buffer::storage() const {
 
 VkBufferView Buffer::view(Format format) const {
   if (const auto made = views_.find(format); made != views_.end()) return made->second.get();
-  const size_t count = texels(bytes_);
+  const size_t bytes = texels(bytes_) * texel_bytes, count = bytes / (format == Format::r32ui ? 4 : texel_bytes);
   if (count > context_->limits.max_texel_elements) {
     throw Error(ExitCode::device, "device '" + context_->info.name + "': buffer '" + name_ + "' has " +
                                       std::to_string(count) + " texels, a texel buffer at most " +
@@ -127,8 +127,10 @@ VkBufferView Buffer::view(Format format) const {
   }
   auto info = vk_structure<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
   info.buffer = buffer_.get();
-  info.format = format == Format::rgba32f ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R32G32B32A32_UINT;
-  info.range = count * texel_bytes;
+  info.format = format == Format::rgba32f    ? VK_FORMAT_R32G32B32A32_SFLOAT
+                : format == Format::rgba32ui ? VK_FORMAT_R32G32B32A32_UINT
+                                             : VK_FORMAT_R32_UINT;
+  info.range = bytes;
   VkBufferView view = VK_NULL_HANDLE;
   context_->check(context_->vk.vkCreateBufferView(context_->device, &info, nullptr, &view),
                   "making a texel view of buffer '" + name_ + "'");

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "host/error.h"
 #include "shaders/shaders.h"
 
 namespace meniscal::passes {
@@ -13,10 +14,14 @@ std::uint32_t blocks(std::size_t count, std::uint32_t size) {
   return static_cast<std::uint32_t>((count + size - 1) / size);
 }
 
-std::size_t counters(std::size_t capacity) {
-  std::size_t level = std::size_t(blocks(capacity, SORT_CHUNK)) * SORT_BINS, sum = level;
-  while (level > 1) sum += level = blocks(level, SCAN_BLOCK);
-  return sum + 1;
+std::size_t with_totals(std::size_t count) {
+  std::size_t sum = count + 1;
+  while (count > 1) sum += count = blocks(count, SCAN_BLOCK);
+  return sum;
+}
+
+std::size_t counters(std::size_t photons, std::size_t entries) {
+  return with_totals(std::max(photons, std::size_t(blocks(entries, SORT_CHUNK)) * SORT_BINS));
 }
 
 gpu::ComputePass make_pass(const gpu::Device& device, bool texel) {
@@ -24,57 +29,86 @@ gpu::ComputePass make_pass(const gpu::Device& device, bool texel) {
   return {device,
           "cells",
           shader("cells", texel),
-          {{0, storage}, {1, table}, {2, table}, {3, storage}, {4, storage}, {5, storage}, {6, storage}},
+          {{0, table}, {1, storage}, {2, storage}, {3, storage}, {4, storage}},
           sizeof(CellsPush)};
 }
 
 }  // namespace
 
-CellsPass::CellsPass(const gpu::Device& device, const PhotonBuffers& unsorted, std::size_t capacity,
+CellsPass::CellsPass(const gpu::Device& device, const PhotonBuffers& photons, std::size_t capacity,
                      std::size_t cell_capacity, bool texel)
-    : photons(device, "photon map", capacity * sizeof(shared::GatheredPhoton)),
+    : listed(device, "photons by cell", capacity * 4),
       cells(device, "grid cells", cell_capacity * 8),
-      pairs_(device, "photons by cell", 2 * capacity * 8),
-      counts_(device, "digit counts", counters(capacity) * 4),
+      entries_(device, "grid entries", 2 * capacity * 8),
+      counts_(device, "grid counts", counters(photons.discs.bytes() / sizeof(shared::PhotonDisc), capacity) * 4),
       capacity_(static_cast<std::uint32_t>(capacity)),
       pass_(make_pass(device, texel)),
-      buffers_(pass_.bind({{0, unsorted.keys},
-                           {1, unsorted.ends, gpu::Format::rgba32ui},
-                           {2, unsorted.discs, gpu::Format::rgba32ui},
-                           {3, pairs_},
-                           {4, counts_},
-                           {5, photons},
-                           {6, cells}})) {}
+      buffers_(pass_.bind(
+          {{0, photons.discs, gpu::Format::rgba32ui}, {1, entries_}, {2, counts_}, {3, listed}, {4, cells}})) {}
 
-void CellsPass::record(gpu::Commands& commands, std::uint32_t count, std::uint32_t digits) {
+std::uint32_t CellsPass::build(gpu::Commands& commands, const Grid& grid, std::uint32_t first, std::uint32_t count) {
+  CellsPush push{};
+  push.narrowest = static_cast<float>(grid.discs.narrowest);
+  push.levels = grid.levels;
+  push.cell_mask = grid.mask;
+  push.count = count;
+  push.from = first;
+  push.step = shared::CELLS_NUMBER;
+  dispatch(commands, push, count);
+  const std::uint32_t total = record_scan(commands, 0, count);
+  commands.submit_and_wait();
+  const std::uint32_t entries = counts_.download<std::uint32_t>(total, 1).front();
+  if (entries > capacity_) {
+    if (count == 1)
+      throw Error(ExitCode::failed,
+                  "photon map: one photon reaches into " + std::to_string(entries) +
+                      " cells, more than there is room for: an error in the program, please report it");
+    return build(commands, grid, first, (count + 1) / 2);
+  }
+  push.step = shared::CELLS_ENTER;
+  dispatch(commands, push, count);
+
   commands.fill(cells, 0);
-  const std::uint32_t chunks = blocks(count, SORT_CHUNK);
-  std::uint32_t from = 0, to = capacity_;  // the first digit is read from the keys
-  for (std::uint32_t digit = 0; digit < digits; ++digit, std::swap(from, to)) {
-    CellsPush push{shared::CELLS_COUNT, count, from, to, digit * SORT_BITS, chunks};
+  push.count = entries;
+  push.chunks = blocks(entries, SORT_CHUNK);
+  push.from = 0, push.to = capacity_;
+  for (std::uint32_t digit = 0; digit < grid.digits; ++digit, std::swap(push.from, push.to)) {
+    push.shift = digit * SORT_BITS;
+    push.step = shared::CELLS_COUNT;
     commands.fill(counts_, 0);
     commands.barrier();
-    commands.dispatch(pass_, buffers_, push, groups_of_64(chunks));
-    commands.barrier();
-    record_scan(commands, 0, chunks * SORT_BINS);
+    dispatch(commands, push, push.chunks);
+    record_scan(commands, 0, push.chunks * SORT_BINS);
     push.step = shared::CELLS_MOVE;
-    commands.dispatch(pass_, buffers_, push, groups_of_64(chunks));
-    commands.barrier();
+    dispatch(commands, push, push.chunks);
   }
-  commands.dispatch(pass_, buffers_, CellsPush{shared::CELLS_COLLECT, count, from, 0, 0, 0}, groups_of_64(count));
+  push.step = shared::CELLS_COLLECT;
+  dispatch(commands, push, entries);
+  return count;
+}
+
+void CellsPass::dispatch(gpu::Commands& commands, const CellsPush& push, std::uint32_t invocations) {
+  commands.dispatch(pass_, buffers_, push, groups_of_64(invocations));
   commands.barrier();
 }
 
-void CellsPass::record_scan(gpu::Commands& commands, std::uint32_t first, std::uint32_t count) {
+// Returns where in the counts their total is then.
+std::uint32_t CellsPass::record_scan(gpu::Commands& commands, std::uint32_t first, std::uint32_t count) {
   const std::uint32_t totals = blocks(count, SCAN_BLOCK);
-  CellsPush push{shared::CELLS_SCAN, count, first, first + count, 0, 0};
-  commands.dispatch(pass_, buffers_, push, groups_of_64(totals));
-  commands.barrier();
-  if (totals <= 1) return;
-  record_scan(commands, first + count, totals);
+  CellsPush push{};
+  push.count = count, push.from = first, push.to = first + count;
+  push.step = shared::CELLS_SCAN;
+  dispatch(commands, push, totals);
+  if (totals <= 1) return first + count;
+  const std::uint32_t total = record_scan(commands, first + count, totals);
   push.step = shared::CELLS_ADD;
-  commands.dispatch(pass_, buffers_, push, groups_of_64(totals));
-  commands.barrier();
+  dispatch(commands, push, totals);
+  return total;
+}
+
+std::size_t entry_capacity(std::size_t photons) {
+  constexpr std::size_t least = 1u << 12, most = 1u << 23, per_photon = 10;
+  return std::clamp(per_photon * photons, least, most);
 }
 
 }  // namespace meniscal::passes

@@ -9,7 +9,8 @@ std::vector<gpu::Binding> layout(bool texel) {
   return {{0, texel ? gpu::Kind::texel : gpu::Kind::storage},
           {1, gpu::Kind::storage},
           {2, gpu::Kind::storage},
-          {3, gpu::Kind::storage}};
+          {3, gpu::Kind::storage},
+          {4, texel ? gpu::Kind::texel : gpu::Kind::storage}};
 }
 
 // Pixels run in blocks of 8 x 8, whole ones at the edges too.
@@ -20,13 +21,17 @@ std::uint32_t invocations(const PixelTile& tile) {
 
 }  // namespace
 
-GatherPass::GatherPass(const gpu::Device& device, const CellsPass& map, const std::vector<PixelTile>& tiles, bool texel)
+GatherPass::GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
+                       const std::vector<PixelTile>& tiles, bool texel)
     : counters_(device, "gather counters", shared::COUNTERS * 4),
       pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush)),
       tiles_(tiles) {
   for (const PixelTile& tile : tiles)
-    buffers_.push_back(
-        pass_.bind({{0, map.photons, gpu::Format::rgba32ui}, {1, map.cells}, {2, tile.samples}, {3, counters_}}));
+    buffers_.push_back(pass_.bind({{0, photons.discs, gpu::Format::rgba32ui},
+                                   {1, grid.cells},
+                                   {2, tile.samples},
+                                   {3, counters_},
+                                   {4, grid.listed, gpu::Format::r32ui}}));
 }
 
 void GatherPass::run(gpu::Commands& commands, const Grid& grid) {
@@ -40,6 +45,7 @@ void GatherPass::run(gpu::Commands& commands, const Grid& grid) {
     for (std::size_t t = 0; t < tiles_.size(); ++t)
       batch_.run(commands, invocations(tiles_[t]), [&](std::uint32_t first, std::uint32_t count) {
         push.first = first;
+        push.count = count;
         push.pixels = tiles_[t].count;
         push.width = tiles_[t].width;
         commands.barrier();

@@ -9,7 +9,8 @@ namespace meniscal::passes {
 class GatherPass {
  public:
   // `tiles` must outlive the pass, which adds to their samples.
-  GatherPass(const gpu::Device& device, const CellsPass& map, const std::vector<PixelTile>& tiles, bool texel);
+  GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
+             const std::vector<PixelTile>& tiles, bool texel);
   // Submits as many rounds as the pixel with the most candidates needs, after what is recorded already.
   void run(gpu::Commands& commands, const Grid& grid);
 

@@ -8,8 +8,7 @@ namespace {
 
 gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, const RenderSettings& settings) {
   std::vector<gpu::Binding> layout = tables.layout();
-  for (std::uint32_t binding : {BIND_ENDS, BIND_DISCS, BIND_KEYS, BIND_SAMPLES})
-    layout.push_back({binding, gpu::Kind::storage});
+  for (std::uint32_t binding : {BIND_ENDS, BIND_DISCS, BIND_SAMPLES}) layout.push_back({binding, gpu::Kind::storage});
   for (std::uint32_t binding : {BIND_BEAMS, BIND_VIEW})
     layout.push_back({binding, tables.texel ? gpu::Kind::texel : gpu::Kind::storage});
   return {device,
@@ -62,7 +61,6 @@ PathsPass::PathsPass(const gpu::Device& device, const World& world, const SceneT
     std::vector<gpu::Bound> bound = tables.bound();
     bound.push_back({BIND_ENDS, photons.ends});
     bound.push_back({BIND_DISCS, photons.discs});
-    bound.push_back({BIND_KEYS, photons.keys});
     bound.push_back({BIND_SAMPLES, tile.samples});
     bound.push_back({BIND_BEAMS, beams_, gpu::Format::rgba32ui});
     bound.push_back({BIND_VIEW, view_, gpu::Format::rgba32ui});
@@ -79,7 +77,6 @@ void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& set
   push.shrink = static_cast<float>(grid.discs.shrink);
   push.narrowest = static_cast<float>(grid.discs.narrowest);
   push.widest = static_cast<float>(grid.discs.widest);
-  push.cell_mask = grid.mask;
   photon_batch_.run(commands, photons, [&](std::uint32_t first, std::uint32_t count) {
     push.first = first_photon + first;
     push.count = count;

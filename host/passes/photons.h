@@ -8,11 +8,12 @@ namespace meniscal::passes {
 
 // One slot per started photon.
 struct PhotonBuffers {
-  gpu::Buffer ends, discs, keys;
+  gpu::Buffer ends, discs;
   PhotonBuffers(const gpu::Device& device, std::size_t capacity);
 };
 
-// The hash grid in one pass: cells of several sizes, each photon in the cell of its disc's size that holds its centre.
+// The hash grid in one pass: cells of several sizes, each photon in those of its disc's size that the disc reaches
+// into.
 struct Grid {
   Discs discs;
   std::uint32_t levels;  // cell sizes: those of discs.narrowest doubled so many times
@@ -22,6 +23,7 @@ struct Grid {
   std::size_t cells() const { return std::size_t(levels) * (mask + 1); }
 };
 Grid make_grid(std::uint32_t photons, const Discs& discs);
-constexpr std::size_t most_cells = std::size_t(shared::GRID_LEVELS) << 17;
+// Of the grids of up to so many photons.
+std::size_t most_cells(std::uint32_t photons);
 
 }  // namespace meniscal::passes

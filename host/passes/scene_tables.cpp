@@ -84,7 +84,9 @@ SceneTables::SceneTables(const gpu::Device& device, const World& world, std::siz
       targets(upload(device, "targets", whole_texels(world.targets))),
       counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
       scene_constants(constants_of(world)),
-      texel(allow_texel && device.choices().reads_texels(std::max(largest_table, scene.bytes() / sizeof(Texel)))) {}
+      texel(allow_texel && device.choices().reads_texels(
+                               std::max({largest_table, scene.bytes() / sizeof(Texel), lights.bytes() / sizeof(Texel),
+                                         cdf.bytes() / sizeof(Texel), surfaces.bytes() / sizeof(Texel)}))) {}
 
 void SceneTables::collect_counters() {
   const auto now = counters.download<std::uint32_t>();

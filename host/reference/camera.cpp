@@ -85,6 +85,7 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
           glm::vec3(direct_irradiance(tracer, *hit, side, front ? hit->shading : -hit->shading, path.absorption, key));
       break;
     }
+    if (bounce == settings.specular_bounces) break;
     const bool splits = branch != shared::BRANCH_ROULETTE && sample.split == 0;
     const bool reflects = branch == shared::BRANCH_REFLECTED;
     const double reflectance = scatter_specular(

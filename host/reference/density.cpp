@@ -4,13 +4,23 @@
 
 namespace meniscal::reference {
 
+namespace {
+
+// Half a disc's, in units of its wide half-width: tan(acos(0.8) / 2), so that on a round surface nothing is lost that
+// faces nearly as the photon does.
+constexpr double thickness = 1.0 / 3;
+
+}  // namespace
+
 PhotonMap::PhotonMap(std::span<const Photon> photons, double widest) : cell_size_(widest / 4) {
   for (const Photon& p : photons) {
     if (p.end >= shared::END_FIRST) continue;
-    // Half-extents along the axes of the ellipse with half-width vectors alpha / alpha^2 and beta / beta^2.
+    // Half-extents along the axes of the ellipse with half-width vectors alpha / alpha^2 and beta / beta^2, and of its
+    // thickness.
     const glm::dvec3 a = p.disc.alpha / glm::dot(p.disc.alpha, p.disc.alpha),
                      b = p.disc.beta / glm::dot(p.disc.beta, p.disc.beta);
-    const glm::dvec3 extent = glm::sqrt(a * a + b * b) + 1e-9 * widest;
+    const glm::dvec3 normal = glm::normalize(glm::cross(a, b));
+    const glm::dvec3 extent = glm::sqrt(a * a + b * b) + thickness * glm::length(a) * glm::abs(normal) + 1e-9 * widest;
     const glm::i64vec3 low(glm::floor((p.position - extent) / cell_size_)),
         high(glm::floor((p.position + extent) / cell_size_));
     for (auto x = low.x; x <= high.x; ++x)
@@ -33,10 +43,9 @@ std::array<Density, shared::MAPS> PhotonMap::estimate(const glm::dvec3& position
     const glm::dvec3 offset = position - p->position, facing = glm::cross(p->disc.alpha, p->disc.beta);
     const double a = glm::dot(p->disc.alpha, offset), b = glm::dot(p->disc.beta, offset), q2 = a * a + b * b;
     // Photons of another side of the surface, or beyond a corner or step, are another surface's.
-    const double widest =
-        1 / std::sqrt(std::min(glm::dot(p->disc.alpha, p->disc.alpha), glm::dot(p->disc.beta, p->disc.beta)));
+    const double height = std::abs(glm::dot(offset, glm::normalize(facing)));
     if (q2 >= 1 || glm::dot(facing, normal) <= 0.8 * glm::length(facing) ||
-        std::abs(glm::dot(offset, normal)) >= 0.5 * widest)
+        height >= thickness / glm::length(p->disc.alpha))
       continue;
     Density& density = densities[p->map];
     density.irradiance += p->flux * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) * glm::length(facing));

@@ -174,10 +174,15 @@ std::vector<shared::Beam> light_beams(const World& world, std::uint32_t photons)
 std::vector<shared::Beam> make_beams(const World& world, const std::vector<StartSet>& starts, std::uint32_t photons) {
   std::vector<shared::Beam> beams;
   std::uint32_t first = 0;
+  double shared_out = 0;
   for (const StartSet& set : starts) {
+    // Shares are rounded so that they add up to what was asked for; no window goes without.
     std::vector<std::uint32_t> counts;
-    for (const StartWindow& w : set.windows)
-      counts.push_back(static_cast<std::uint32_t>(std::max(w.share * photons, 1.0)));
+    for (const StartWindow& w : set.windows) {
+      const double before = shared_out;
+      shared_out += w.share * photons;
+      counts.push_back(static_cast<std::uint32_t>(std::max(std::round(shared_out) - std::round(before), 1.0)));
+    }
     const std::vector<Bordered> windows = add_borders(world, set, counts);
     for (std::size_t k = 0; k < windows.size(); ++k) {
       shared::Beam beam = make_beam(world, set);

@@ -1,6 +1,8 @@
 // How the photons of a pass are shared out among the places where they may start.
 #pragma once
 
+#include <algorithm>
+
 #include "host/world/world.h"
 
 namespace meniscal {
@@ -23,7 +25,10 @@ struct StartSet {
 };
 
 constexpr std::size_t most_windows = 3;  // of a set
-inline std::size_t most_beams(const World& world) { return most_windows * (world.lights.size() + world.strata.size()); }
+inline std::size_t most_beams(const World& world) {
+  const auto views = std::count_if(world.views.begin(), world.views.end(), [](const auto& v) { return v.has_value(); });
+  return most_windows * (std::size_t(views) + world.strata.size()) + 1;
+}
 
 // m2
 double start_area(const World& world, const StartSet& set);

@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // Photons in the buffers at once: a pass of more takes them in turns, so that memory stays bounded.
-constexpr std::uint32_t most_at_once = 1u << 21;
+constexpr std::uint32_t most_at_once = 1u << 20;
 
 std::uint32_t photons_at_once(const RenderSettings& settings) { return std::min(settings.photons(), most_at_once); }
 
@@ -24,9 +24,10 @@ struct MapPasses {
   passes::CellsPass cells;
   passes::GatherPass gather;
 
-  MapPasses(const gpu::Device& device, const passes::PhotonBuffers& photons, std::size_t capacity,
+  MapPasses(const gpu::Device& device, const passes::PhotonBuffers& photons, std::uint32_t capacity,
             const std::vector<passes::PixelTile>& tiles, bool texel)
-      : cells(device, photons, capacity, passes::most_cells, texel), gather(device, cells, tiles, texel) {}
+      : cells(device, photons, passes::entry_capacity(capacity), passes::most_cells(capacity), texel),
+        gather(device, photons, cells, tiles, texel) {}
 };
 
 }  // namespace
@@ -44,13 +45,14 @@ struct GpuBackend::Passes {
   passes::PhotonBuffers photons;
   passes::PathsPass paths;
   std::optional<MapPasses> maps;
+  std::uint32_t grids = 0;  // that the last pass took
 
   Passes(gpu::Device d, const World& w, RenderSettings s, bool allow_texel)
       : device(std::move(d)),
         world(w),
         settings(std::move(s)),
         commands(device),
-        tables(device, world, 3 * photons_at_once(settings), allow_texel),
+        tables(device, world, passes::entry_capacity(photons_at_once(settings)), allow_texel),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
         capacity(photons_at_once(settings)),
         photons(device, capacity),
@@ -84,6 +86,7 @@ struct GpuBackend::Passes {
       count = std::min(capacity, started - first);
       const passes::Grid grid = passes::make_grid(count, pass_discs(settings.discs, pass));
       paths.trace_photons(commands, settings, pass, first, count, grid);
+      tables.collect_counters();
       done(count, grid);
     }
   }
@@ -91,21 +94,24 @@ struct GpuBackend::Passes {
   // One camera path a pixel, lit by the photons of the pass, which are counted into `tallies`.
   std::vector<shared::PixelSample> render(std::uint32_t pass, std::uint32_t branch, Tallies& tallies) {
     paths.trace_camera(commands, settings, pass, branch);
+    grids = 0;
     trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
-      maps->cells.record(commands, count, grid.digits);
-      maps->gather.run(commands, grid);
+      for (std::uint32_t first = 0; first < count; ++grids) {
+        first += maps->cells.build(commands, grid, first, count - first);
+        maps->gather.run(commands, grid);
+      }
       tally(tallies, count);
     });
     return samples();
   }
 
-  // The same for the reflected branch, after render: where all photons fit at once, they are still there.
+  // The same for the reflected branch, after render: where all photons fit into one grid, they are still there.
   std::vector<shared::PixelSample> render_reflected(std::uint32_t pass) {
     Tallies counted;
     for (Tally& t : counted) t.flux_landed.resize(world.surfaces.size());
-    if (settings.photons() > capacity) return render(pass, shared::BRANCH_REFLECTED, counted);
+    if (grids > 1) return render(pass, shared::BRANCH_REFLECTED, counted);
     paths.trace_camera(commands, settings, pass, shared::BRANCH_REFLECTED);
-    if (maps) maps->gather.run(commands, passes::make_grid(settings.photons(), pass_discs(settings.discs, pass)));
+    if (grids == 1) maps->gather.run(commands, passes::make_grid(settings.photons(), pass_discs(settings.discs, pass)));
     return samples();
   }
 

@@ -17,15 +17,20 @@ constexpr double unseen_share = 0.03;
 
 // The same view in fewer pixels.
 RenderSettings coarse(RenderSettings settings) {
+  const double width = settings.width, height = settings.height;
   const double factor = std::max(1.0, std::sqrt(double(settings.crop.pixels()) / most_rays));
   const auto shrunk = [&](std::uint32_t pixels) { return static_cast<std::uint32_t>(pixels / factor); };
-  settings.width = std::max(shrunk(settings.width), 1u);
-  settings.height = std::max(shrunk(settings.height), 1u);
+  // The aspect decides what is seen: the shorter side is rounded, the longer one follows.
+  std::uint32_t &longer = settings.width > settings.height ? settings.width : settings.height,
+                &shorter = settings.width > settings.height ? settings.height : settings.width;
+  const double aspect = double(longer) / shorter;
+  shorter = std::max(shrunk(shorter), 1u);
+  longer = static_cast<std::uint32_t>(std::round(shorter * aspect));
   Crop& c = settings.crop;
-  c.x0 = std::min(shrunk(c.x0), settings.width - 1);
-  c.y0 = std::min(shrunk(c.y0), settings.height - 1);
-  c.x1 = std::clamp(shrunk(c.x1), c.x0 + 1, settings.width);
-  c.y1 = std::clamp(shrunk(c.y1), c.y0 + 1, settings.height);
+  c.x0 = static_cast<std::uint32_t>(c.x0 * settings.width / width);
+  c.y0 = static_cast<std::uint32_t>(c.y0 * settings.height / height);
+  c.x1 = std::max(static_cast<std::uint32_t>(std::ceil(c.x1 * settings.width / width)), c.x0 + 1);
+  c.y1 = std::max(static_cast<std::uint32_t>(std::ceil(c.y1 * settings.height / height)), c.y0 + 1);
   return settings;
 }
 

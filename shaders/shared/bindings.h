@@ -15,9 +15,8 @@
 // Of shaders/paths.comp.
 #define BIND_ENDS 7
 #define BIND_DISCS 8
-#define BIND_KEYS 9
-#define BIND_SAMPLES 10
-#define BIND_BEAMS 11  // texels: Beam[]
-#define BIND_VIEW 12   // texels: one CameraView
+#define BIND_SAMPLES 9
+#define BIND_BEAMS 10  // texels: Beam[]
+#define BIND_VIEW 11   // texels: one CameraView
 
 #endif

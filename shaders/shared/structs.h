@@ -78,7 +78,7 @@ struct Beam {
   uvec4 order[5];
 };
 
-// One slot per started photon; two streams of 32 bytes.
+// Two streams of one slot per started photon: where it went, and what the gather reads of it, three texels of 16 bytes.
 struct PhotonEnd {
   vec3 position;  // where it was stored
   uint end;       // triangle it was stored on, or END_*
@@ -88,18 +88,11 @@ struct PhotonEnd {
 // Its footprint where it was stored: q2 = (alpha x)^2 + (beta x)^2 of an offset x from its position is below 1 inside
 // an elliptic disc of area pi / |alpha x beta|. alpha x beta points to the side of arrival.
 struct PhotonDisc {
-  vec3 alpha;  // 1/m
-  float pad0;
-  vec3 beta;
-  float pad1;
-};
-// As gathered: three texels of 16 bytes.
-struct GatheredPhoton {
   vec3 position;
   float flux_r;  // the sign bit is MAP_*
-  vec3 alpha;
+  vec3 alpha;    // along the wide axis, 1/m; 0: not stored
   float flux_g;
-  vec3 beta;
+  vec3 beta;  // perpendicular to alpha
   float flux_b;
 };
 
@@ -140,7 +133,6 @@ struct PathPush {
   uint beams;
   float shrink;             // of the beams' reaches in this pass
   float narrowest, widest;  // bounds of a disc's half-widths, m; equal: all discs are round
-  uint cell_mask;           // cells of one level of the hash grid - 1 (a power of two)
 };
 
 struct CameraView {
@@ -162,30 +154,33 @@ struct ProbePush {
 };
 
 struct GatherPush {
-  float narrowest;  // half-width of level 0; level i holds discs of up to 2^i times that
+  float narrowest;  // of the discs' half-widths, m
   uint levels;
-  uint cell_mask;
+  uint cell_mask;        // cells of one level of the hash grid - 1 (a power of two)
   uint pixels, width;    // in the buffer; of a row
-  uint first_candidate;  // candidates (photons in the cells around) tested by earlier rounds
-  uint first;            // invocation of this dispatch's first
-  uint pad0;
+  uint first_candidate;  // candidates (photons entered in the pixel's cells) tested by earlier rounds
+  uint first, count;     // of this dispatch's invocations
 };
 
 // Steps of the hash grid's making; shaders/cells.comp says what each does.
-const uint CELLS_COUNT = 0u, CELLS_MOVE = 1u, CELLS_SCAN = 2u, CELLS_ADD = 3u, CELLS_COLLECT = 4u;
+const uint CELLS_NUMBER = 0u, CELLS_ENTER = 1u, CELLS_COUNT = 2u, CELLS_MOVE = 3u, CELLS_SCAN = 4u, CELLS_ADD = 5u,
+           CELLS_COLLECT = 6u;
 
 struct CellsPush {
-  uint step;      // CELLS_*
-  uint count;     // elements
-  uint from, to;  // where they are read and written, in the pairs or (scans) in the counts
-  uint shift;     // of the digit, in bits
-  uint chunks;    // of SORT_CHUNK elements
+  uint step;        // CELLS_*
+  uint count;       // elements
+  uint from, to;    // where they are read and written, in the entries or (scans) in the counts; the first photon
+  uint shift;       // of the digit, in bits
+  uint chunks;      // of SORT_CHUNK elements
+  float narrowest;  // of the discs' half-widths, m
+  uint levels;
+  uint cell_mask;  // cells of one level - 1 (a power of two)
 };
 
-// Sorting: by digits of SORT_BITS, each invocation taking SORT_CHUNK consecutive elements.
-const uint SORT_BITS = 6u, SORT_BINS = 64u, SORT_CHUNK = 256u, SCAN_BLOCK = 128u;
-// The key of what is not stored: behind every cell, by however many digits is sorted.
-const uint NO_CELL = 0x00FFFFFFu;
+// Sorting: by digits of SORT_BITS, each invocation taking SORT_CHUNK consecutive elements. Two digits hold all keys.
+const uint SORT_BITS = 10u, SORT_BINS = 1024u, SORT_CHUNK = 2048u, SCAN_BLOCK = 128u;
+// Set in what a cell lists a second time: a photon that is in two cells of the same key.
+const uint LISTED_TWICE = 0x80000000u;
 // Levels of the hash grid, at the most.
 const uint GRID_LEVELS = 8u;
 

@@ -16,22 +16,24 @@ void gather(benchmark::State& state) {
   const gpu::Device device = gpu::Device::open("auto");
   test::GpuMap map(device, setup->world, setup->settings);
   map.prepare();
-  const auto ends = map.photons.ends.download<shared::PhotonEnd>();
   const auto discs = map.photons.discs.download<shared::PhotonDisc>();
-  map.build_grid();  // compiles
-  map.gather_all();
+  map.build_grid(0);  // compiles
+  map.gather_from_grid();
   const auto samples = map.samples();
 
   double grid_least = 1e9, gather_least = 1e9, scalar_grid_least = 1e9, scalar_gather_least = 1e9, worst = 0, found = 0;
   for (auto _ : state) {
     map.prepare();
-    const double grid = cpu_seconds_of([&] { map.build_grid(); });
-    const double gather = cpu_seconds_of([&] { map.gather_all(); });
+    double grid = 0, gather = 0;
+    for (std::uint32_t first = 0; first < map.count;) {
+      grid += cpu_seconds_of([&] { first += map.build_grid(first); });
+      gather += cpu_seconds_of([&] { map.gather_from_grid(); });
+    }
     grid_least = std::min(grid_least, grid), gather_least = std::min(gather_least, gather);
     state.SetIterationTime(grid + gather);
 
     std::optional<test::ScalarGrid> scalar;
-    scalar_grid_least = std::min(scalar_grid_least, cpu_seconds_of([&] { scalar.emplace(ends, discs, map.grid); }));
+    scalar_grid_least = std::min(scalar_grid_least, cpu_seconds_of([&] { scalar.emplace(discs, map.grid); }));
     std::vector<glm::vec3> irradiance(samples.size());
     scalar_gather_least = std::min(scalar_gather_least, cpu_seconds_of([&] {
                                      for (std::size_t i = 0; i < samples.size(); ++i)

@@ -16,10 +16,9 @@ TEST_P(Gather, IsThePlainSum) {
   test::GpuMap map(device, setup->world, setup->settings);
   map.grid.mask = cells - 1;
   map.prepare();
-  map.build_grid();
-  map.gather_all();
-  const test::ScalarGrid scalar(map.photons.ends.download<shared::PhotonEnd>(),
-                                map.photons.discs.download<shared::PhotonDisc>(), map.grid);
+  for (std::uint32_t first = 0; first < map.count; map.gather_from_grid()) first += map.build_grid(first);
+  const auto discs = map.photons.discs.download<shared::PhotonDisc>();
+  const test::ScalarGrid scalar(discs, map.grid);
   const auto samples = map.samples();
   ASSERT_EQ(samples.size(), setup->settings.crop.pixels());
   float brightest = 0;

@@ -53,8 +53,12 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   EXPECT_EQ(end.flux, vec3(5, 6, 7));
   EXPECT_EQ(end.entered, 8);
   const auto disc = discs.download<shared::PhotonDisc>()[1];
-  EXPECT_EQ(disc.alpha, vec3(1, 2, 3));
-  EXPECT_EQ(disc.beta, vec3(5, 6, 7));
+  EXPECT_EQ(disc.position, vec3(1, 2, 3));
+  EXPECT_EQ(disc.flux_r, 4);
+  EXPECT_EQ(disc.alpha, vec3(5, 6, 7));
+  EXPECT_EQ(disc.flux_g, 8);
+  EXPECT_EQ(disc.beta, vec3(9, 10, 11));
+  EXPECT_EQ(disc.flux_b, 12);
   const auto sample = samples.download<shared::PixelSample>()[1];
   EXPECT_EQ(sample.position, vec3(1, 2, 3));
   EXPECT_EQ(sample.depth, 4);

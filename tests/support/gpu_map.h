@@ -13,23 +13,25 @@ struct GpuMap {
         count(settings.photons()),
         grid(passes::make_grid(count, settings.discs)),
         commands(device),
-        tables(device, world, 3 * std::size_t(count), true),
+        tables(device, world, passes::entry_capacity(count), true),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
         photons(device, count),
         paths(device, world, tables, photons, tiles, settings),
-        cells(device, photons, count, grid.cells(), tables.texel),
-        gather(device, cells, tiles, tables.texel) {}
+        cells(device, photons, passes::entry_capacity(count), grid.cells(), tables.texel),
+        gather(device, photons, cells, tiles, tables.texel) {}
 
   // The photons, and the pixels, to which gathering adds.
   void prepare() {
     paths.trace_camera(commands, settings, 0, shared::BRANCH_ROULETTE);
     paths.trace_photons(commands, settings, 0, 0, count, grid);
   }
-  void build_grid() {
-    cells.record(commands, count, grid.digits);
+  // Of as many photons from `first` on as fit; returns how many.
+  std::uint32_t build_grid(std::uint32_t first) {
+    const std::uint32_t taken = cells.build(commands, grid, first, count - first);
     commands.submit_and_wait();
+    return taken;
   }
-  void gather_all() { gather.run(commands, grid); }
+  void gather_from_grid() { gather.run(commands, grid); }
   std::vector<shared::PixelSample> samples() const { return tiles.at(0).samples.download<shared::PixelSample>(); }
 
   const World& world;

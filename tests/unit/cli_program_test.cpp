@@ -79,7 +79,7 @@ TEST(Program, AMissingSceneIsThreeAndNamed) {
 
 TEST(Program, AnOutputThatCannotBeWrittenIsOneBeforeRendering) {
   const TemporaryFolder folder;
-  const Outcome o = meniscal(folder, kPool + " --passes 4000000000 -o \"" + folder / "missing/a.exr" + "\"");
+  const Outcome o = meniscal(folder, kPool + " --passes 2000000000 -o \"" + folder / "missing/a.exr" + "\"");
   EXPECT_EQ(o.code, 1);
   EXPECT_NE(o.error.find("missing/a.exr"), std::string::npos) << o.error;
 }
@@ -96,7 +96,7 @@ TEST(Program, AnInterruptWritesTheImageSoFar) {
   const TemporaryFolder folder;
   const std::string image = folder / "a.exr";
   const Outcome o =
-      meniscal(folder, kPool + " --device cpu --resolution 4x3 --photons 10 --passes 4000000000 -o \"" + image + "\"",
+      meniscal(folder, kPool + " --device cpu --resolution 4x3 --photons 10 --passes 2000000000 -o \"" + image + "\"",
                "timeout --preserve-status --signal=INT 2 ");
   EXPECT_EQ(o.code, 130) << o.error;
   EXPECT_NE(o.error.find("a.exr"), std::string::npos) << o.error;
