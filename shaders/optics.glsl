@@ -63,7 +63,9 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, flo
     if (!reflected && dot(eta * arrival + (eta * cosine - transmitted) * normal, side) >= 0.0) {
       normal = side;
       turned = 0.0;
-      reflected = fresnel(-dot(arrival, side), eta, transmitted) >= 1.0;
+      float slanted = dot(arrival, side), sine2 = eta * eta * max(1.0 - slanted * slanted, 0.0);
+      transmitted = sqrt(max(1.0 - sine2, 0.0));
+      reflected = sine2 >= 1.0;
     }
   } else if (HAS_THIN && surface.kind == SPECULAR_THIN) {
     float once = fresnel(-dot(arrival, normal), 1.0 / surface.ior, transmitted);

@@ -97,7 +97,7 @@ TEST(Program, AnInterruptWritesTheImageSoFar) {
   const std::string image = folder / "a.exr";
   const Outcome o =
       meniscal(folder, kPool + " --device cpu --resolution 4x3 --photons 10 --passes 2000000000 -o \"" + image + "\"",
-               "timeout --preserve-status --signal=INT 2 ");
+               "timeout --foreground --preserve-status --signal=INT 2 ");
   EXPECT_EQ(o.code, 130) << o.error;
   EXPECT_NE(o.error.find("a.exr"), std::string::npos) << o.error;
   EXPECT_EQ(read_exr(image).width, 4);
