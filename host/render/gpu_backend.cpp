@@ -91,8 +91,10 @@ struct GpuBackend::Passes {
     }
   }
 
-  // One camera path a pixel, lit by the photons of the pass, which are counted into `tallies`.
-  std::vector<shared::PixelSample> render(std::uint32_t pass, std::uint32_t branch, Tallies& tallies) {
+  // One camera path a pixel, lit by the photons of the pass, and how these ended.
+  PassResult render(std::uint32_t pass, std::uint32_t branch) {
+    PassResult result;
+    for (Tally& t : result.tallies) t.flux_landed.resize(world.surfaces.size());
     paths.trace_camera(commands, settings, pass, branch);
     grids = 0;
     trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
@@ -100,16 +102,15 @@ struct GpuBackend::Passes {
         first += maps->cells.build(commands, grid, first, count - first);
         maps->gather.run(commands, grid);
       }
-      tally(tallies, count);
+      tally(result.tallies, count);
     });
-    return samples();
+    result.samples = samples();
+    return result;
   }
 
   // The same for the reflected branch, after render: where all photons fit into one grid, they are still there.
   std::vector<shared::PixelSample> render_reflected(std::uint32_t pass) {
-    Tallies counted;
-    for (Tally& t : counted) t.flux_landed.resize(world.surfaces.size());
-    if (grids > 1) return render(pass, shared::BRANCH_REFLECTED, counted);
+    if (grids > 1) return render(pass, shared::BRANCH_REFLECTED).samples;
     paths.trace_camera(commands, settings, pass, shared::BRANCH_REFLECTED);
     if (grids == 1) maps->gather.run(commands, passes::make_grid(settings.photons(), pass_discs(settings.discs, pass)));
     return samples();
@@ -136,9 +137,7 @@ GpuBackend::~GpuBackend() = default;
 
 PassResult GpuBackend::render_pass(std::uint32_t pass) {
   Passes& p = *passes_;
-  PassResult result;
-  for (Tally& t : result.tallies) t.flux_landed.resize(p.world.surfaces.size());
-  result.samples = p.render(pass, p.settings.split ? shared::BRANCH_THROUGH : shared::BRANCH_ROULETTE, result.tallies);
+  PassResult result = p.render(pass, p.settings.split ? shared::BRANCH_THROUGH : shared::BRANCH_ROULETTE);
   if (p.settings.split) result.reflected = p.render_reflected(pass);
   p.tables.collect_counters();
   return result;

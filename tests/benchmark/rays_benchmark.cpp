@@ -169,35 +169,13 @@ void photon_rays_on_rod(benchmark::State& state) {
   compare(state, rod_in_water(50000, 64, static_cast<std::uint32_t>(state.range(0))), Kind::photons);
 }
 
-constexpr int repeats = 5;
-BENCHMARK(photon_rays_in_water)
-    ->ArgName("triangles")
-    ->Arg(50000)
-    ->Arg(500000)
-    ->Iterations(repeats)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(sorted_photon_rays_in_water)
-    ->ArgName("triangles")
-    ->Arg(50000)
-    ->Arg(500000)
-    ->Iterations(repeats)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(bounce_rays_in_water)
-    ->ArgName("triangles")
-    ->Arg(50000)
-    ->Arg(500000)
-    ->Iterations(repeats)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(photon_rays_on_rod)
-    ->ArgName("rows")
-    ->Arg(1)
-    ->Arg(40)
-    ->Iterations(repeats)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
+void settings(benchmark::internal::Benchmark* b) { b->Iterations(5)->UseManualTime()->Unit(benchmark::kMillisecond); }
+void triangles(benchmark::internal::Benchmark* b) { b->ArgName("triangles")->Arg(50000)->Arg(500000)->Apply(settings); }
+
+BENCHMARK(photon_rays_in_water)->Apply(triangles);
+BENCHMARK(sorted_photon_rays_in_water)->Apply(triangles);
+BENCHMARK(bounce_rays_in_water)->Apply(triangles);
+BENCHMARK(photon_rays_on_rod)->ArgName("rows")->Arg(1)->Arg(40)->Apply(settings);
 
 }  // namespace
 }  // namespace meniscal::bench
