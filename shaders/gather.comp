@@ -24,7 +24,7 @@ uint pixel_of(uint invocation) {
 void main() {
   uint invocation = invocation_index();
   uint i = pixel_of(push.first + invocation);
-  if (invocation >= push.count || i >= push.pixels || samples[i].triangle >= END_FIRST) return;
+  if (invocation >= push.count || i >= push.pixels || samples[i].triangle >= END_FIRST || samples[i].lit != 0u) return;
   vec3 position = samples[i].position, normal = samples[i].normal;
   vec3 targeted = vec3(0.0), caustic = vec3(0.0);
   float targeted_count = 0.0, caustic_count = 0.0;

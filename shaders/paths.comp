@@ -11,7 +11,7 @@ FETCH_TABLE(BIND_BEAMS, beams)
 FETCH_TABLE(BIND_VIEW, view)
 layout(set = 0, binding = BIND_ENDS, std430) writeonly buffer Ends { PhotonEnd ends[]; };
 layout(set = 0, binding = BIND_DISCS, std430) writeonly buffer Discs { PhotonDisc discs[]; };
-layout(set = 0, binding = BIND_SAMPLES, std430) writeonly buffer Samples { PixelSample samples[]; };
+layout(set = 0, binding = BIND_SAMPLES, std430) buffer Samples { PixelSample samples[]; };
 
 const uint BEAM_TEXELS = 14u;
 
@@ -107,9 +107,10 @@ void main() {
     uvec4 crop = FETCH(view, 4u), rest = FETCH(view, 5u);
     uint x = crop.z + item % rest.x, y = crop.w + item / rest.x;
     random = RandomKey(push.seed, push.pass, STREAM_CAMERA, y * crop.x + x);
-    inside = 0.5 + uintBitsToFloat(rest.y) * (vec2(random_unit(random, 0u), random_unit(random, 1u)) - 0.5);
+    inside = 0.5 + uintBitsToFloat(rest.y) * (pixel_place(random, push.sample_index) - 0.5);
+    random.stream += push.sample_index;
     path = camera_path(vec2(x, y) + inside);
-    s = PixelSample(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), END_CUT, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0,
+    s = PixelSample(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), END_CUT, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0,
                     vec3(0.0), 0.0);
   } else {
     uint b = 0u;
@@ -251,6 +252,12 @@ void main() {
       // The other path has seen it all.
       s.triangle = END_DROPPED;
       s.weight = s.emitted = vec3(0.0);
+    }
+    // All of a pixel's samples are gathered at its centre, so on one triangle at one place.
+    s.lit = push.keeps != 0u && samples[slot].triangle == s.triangle ? 1u : 0u;
+    if (s.lit != 0u) {
+      s.targeted = samples[slot].targeted, s.targeted_count = samples[slot].targeted_count;
+      s.caustic = samples[slot].caustic, s.caustic_count = samples[slot].caustic_count;
     }
     samples[slot] = s;
   } else {

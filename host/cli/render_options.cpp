@@ -142,6 +142,10 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       ->type_name("N")
       ->transform(whole(1, kMaxPasses))
       ->default_str(by_quality([](Quality q) { return preset(q).passes; }));
+  command.add_option("--samples", options.samples, "Camera rays a pixel and pass: the more, the smoother edges are")
+      ->type_name("N")
+      ->transform(whole(1, 1 << 16))
+      ->default_str(by_quality([](Quality q) { return preset(q).samples; }));
   add_parsed(
       command, "--pass-range", "A:B", "Only passes A <= i < B, for splitting over machines",
       [&](const std::string& name, const std::string& text) { options.pass_range = parse_pass_range(name, text); });

@@ -23,7 +23,7 @@ struct Resolution {
 enum class Quality { draft, preview, final };
 struct Preset {
   double photons_per_pixel;  // and pass
-  std::uint32_t least_photons, passes;
+  std::uint32_t least_photons, passes, samples;
 
   std::uint32_t photons(std::size_t pixels) const {
     return static_cast<std::uint32_t>(std::clamp(photons_per_pixel * double(pixels), double(least_photons), 1e9));
@@ -32,13 +32,13 @@ struct Preset {
 constexpr Preset preset(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {0.64, 40000, 1};
+      return {0.64, 40000, 1, 1};
     case Quality::preview:
-      return {1.2, 75000, 4};
+      return {1.6, 100000, 2, 2};
     case Quality::final:
       break;
   }
-  return {2.4, 150000, 16};
+  return {4.0, 250000, 2, 4};
 }
 
 struct RenderOptions {
@@ -51,6 +51,7 @@ struct RenderOptions {
   Quality quality = Quality::final;
   std::optional<std::uint32_t> photons;  // per pass; not given: the quality's
   std::optional<std::uint32_t> passes;   // not given: the quality's, or the range's
+  std::optional<std::uint32_t> samples;  // camera rays a pixel and pass; not given: the quality's
   std::optional<PassRange> pass_range;
   std::optional<double> radius;  // of round footprints in pass 0, metres; not given: each photon has its own
   std::uint32_t diffuse_bounces = 0, specular_bounces = 16;

@@ -54,10 +54,12 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.camera = find_camera(scene, options.camera);
   choose_size(settings, options);
   settings.footprint = pixel_footprint(world, settings);
+  const std::uint32_t photons = options.photons_per_pass(settings.crop.pixels());
+  // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.
+  settings.samples = options.samples.value_or(photons > settings.photons_at_once ? 1 : preset(options.quality).samples);
   set_beams(settings, options, world,
-            options.integrator == Integrator::ordinary
-                ? light_beams(world, options.photons_per_pass(settings.crop.pixels()))
-                : make_beams(world, default_starts(world), options.photons_per_pass(settings.crop.pixels())));
+            options.integrator == Integrator::ordinary ? light_beams(world, photons)
+                                                       : make_beams(world, default_starts(world), photons));
   return settings;
 }
 

@@ -5,6 +5,7 @@
 #include "host/passes/photons.h"
 #include "host/passes/pixels.h"
 #include "host/passes/scene_tables.h"
+#include "host/render/backend.h"
 
 namespace meniscal::passes {
 
@@ -18,8 +19,9 @@ class PathsPass {
   // Photons first .. first + count of a pass, into the buffers from their beginning on.
   void trace_photons(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, std::uint32_t first,
                      std::uint32_t count, const Grid& grid);
-  // One path for each pixel of the crop, into the tiles from their beginning on. `branch`: shared::BRANCH_*
-  void trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, std::uint32_t branch);
+  // One path for each pixel of the crop, into the tiles from their beginning on. keeps: see PathPush.
+  void trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, const View& view,
+                    bool keeps = false);
 
  private:
   const World& world_;

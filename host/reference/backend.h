@@ -11,9 +11,9 @@ class ReferenceBackend final : public Backend {
   ReferenceBackend(const World& world, RenderSettings settings)
       : world_(world), settings_(std::move(settings)), tracer_(world) {}
 
-  PassResult render_pass(std::uint32_t pass) override;
+  Tallies render_pass(std::uint32_t pass, const TakeSamples& take) override;
   std::vector<PhotonEnd> trace_photons(std::uint32_t pass) override;
-  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, std::uint32_t branch) override;
+  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, const View& view) override;
   void configure(const RenderSettings& settings) override { settings_ = settings; }
   Statistics statistics() const override;
 

@@ -7,12 +7,6 @@
 namespace meniscal::reference {
 namespace {
 
-// Where in the pixel, from its centre, in pixels.
-glm::dvec2 pixel_offset(const RenderSettings& settings, const shared::RandomKey& key) {
-  return double(pixel_jitter(settings, key.pass)) *
-         (glm::dvec2(shared::random_unit(key, 0), shared::random_unit(key, 1)) - 0.5);
-}
-
 // `pixel`: from the image's upper left corner.
 Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const glm::dvec2& pixel) {
   const glm::dvec3 step0 = 2.0 / settings.width * axes.right, step1 = -2.0 / settings.height * axes.up;
@@ -45,10 +39,13 @@ glm::dvec3 direct_irradiance(const Tracer& tracer, const Hit& hit, const glm::dv
 }  // namespace
 
 shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings& settings, const CameraAxes& axes,
-                                      std::uint32_t pass, std::uint32_t branch, std::uint32_t x, std::uint32_t y) {
+                                      std::uint32_t pass, const View& view, std::uint32_t x, std::uint32_t y) {
   const World& world = tracer.world();
-  const shared::RandomKey key{settings.seed, pass, shared::STREAM_CAMERA, y * settings.width + x};
-  const glm::dvec2 inside = pixel_offset(settings, key);
+  shared::RandomKey key{settings.seed, pass, shared::STREAM_CAMERA, y * settings.width + x};
+  // From the pixel's centre, in pixels.
+  const glm::dvec2 inside =
+      double(pixel_jitter(settings, pass)) * (glm::dvec2(shared::pixel_place(key, view.sample)) - 0.5);
+  key.stream += view.sample;
   Path path = camera_ray(settings, axes, glm::dvec2(x, y) + 0.5 + inside);
   shared::PixelSample sample{};
   sample.triangle = shared::END_CUT;
@@ -86,8 +83,8 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
       break;
     }
     if (bounce == settings.specular_bounces) break;
-    const bool splits = branch != shared::BRANCH_ROULETTE && sample.split == 0;
-    const bool reflects = branch == shared::BRANCH_REFLECTED;
+    const bool splits = view.branch != shared::BRANCH_ROULETTE && sample.split == 0;
+    const bool reflects = view.branch == shared::BRANCH_REFLECTED;
     const double reflectance = scatter_specular(
         path, *hit, tracer, splits ? (reflects ? 0 : 0.99999994) : double(shared::random_unit(key, dimension + 1)));
     if (reflectance > 0 && reflectance < 1) {
@@ -97,7 +94,7 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
     }
   }
   sample.emitted = glm::vec3(emitted);
-  if (branch == shared::BRANCH_REFLECTED && sample.split == 0) {
+  if (view.branch == shared::BRANCH_REFLECTED && sample.split == 0) {
     // The other path has seen it all.
     sample.triangle = shared::END_DROPPED;
     sample.weight = sample.emitted = glm::vec3(0);

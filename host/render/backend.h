@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -49,12 +50,22 @@ double mean_of(const Colour& c) {
   return (double(c.x) + double(c.y) + double(c.z)) / 3;
 }
 
-// One pass, as both backends give it.
-struct PassResult {
-  std::vector<shared::PixelSample> samples;    // of the crop, row by row
-  std::vector<shared::PixelSample> reflected;  // the paths split off, where they are split: their light is added
-  Tallies tallies;
+// Which of the camera paths that a pass sends through each pixel.
+struct View {
+  std::uint32_t sample = 0;                        // below settings.samples: their mean is the pass'
+  std::uint32_t branch = shared::BRANCH_ROULETTE;  // of a split path: the light of both is added
 };
+inline std::vector<View> views_of(const RenderSettings& settings) {
+  std::vector<View> views;
+  const auto add = [&](std::uint32_t branch) {
+    for (std::uint32_t i = 0; i < settings.samples; ++i) views.push_back({i, branch});
+  };
+  add(settings.split ? shared::BRANCH_THROUGH : shared::BRANCH_ROULETTE);
+  if (settings.split) add(shared::BRANCH_REFLECTED);
+  return views;
+}
+// Samples of the crop, row by row.
+using TakeSamples = std::function<void(const std::vector<shared::PixelSample>&, const View&)>;
 
 // The end of a started photon.
 struct PhotonEnd {
@@ -65,11 +76,11 @@ struct PhotonEnd {
 class Backend {
  public:
   virtual ~Backend() = default;
-  virtual PassResult render_pass(std::uint32_t pass) = 0;
-  // The parts of a pass alone: ends of all its photons, and samples without the maps' light
-  // (`branch`: shared::BRANCH_*).
+  // Hands the samples of each of the pass' views to `take`, in the order of views_of; gives how its photons ended.
+  virtual Tallies render_pass(std::uint32_t pass, const TakeSamples& take) = 0;
+  // The parts of a pass alone: ends of all its photons, and samples without the maps' light.
   virtual std::vector<PhotonEnd> trace_photons(std::uint32_t pass) = 0;
-  virtual std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, std::uint32_t branch) = 0;
+  virtual std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, const View& view) = 0;
 
   // Other settings from now on, of no more pixels than those before; round discs stay round.
   virtual void configure(const RenderSettings& settings) = 0;

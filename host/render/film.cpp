@@ -60,35 +60,48 @@ const std::vector<std::string>& aov_names() {
 }
 
 Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale, const glm::dvec3& origin)
-    : crop_(crop), scale_(scale), origin_(origin), beauty_(crop.pixels()), squares_(crop.pixels()) {
+    : crop_(crop),
+      scale_(scale),
+      origin_(origin),
+      pass_(crop.pixels()),
+      beauty_(crop.pixels()),
+      squares_(crop.pixels()) {
   for (const Aov& a : all_aovs())
     if (std::find(aovs.begin(), aovs.end(), a.name) != aovs.end())
       aovs_.push_back({a.name, a.channels, std::vector<double>(crop.pixels() * a.channels.size())});
 }
 
-void Film::add(const std::vector<PixelSample>& samples, const std::vector<PixelSample>& reflected) {
-  ++passes_;
-  const auto radiance = [&](const PixelSample& s) {
-    return glm::dvec3(s.emitted) + weighted(s, s.direct, 1) + weighted(s, s.targeted, scale_.targeted) +
-           weighted(s, s.caustic, scale_.caustic);
-  };
+void Film::add(const std::vector<PixelSample>& samples, const View& view) {
+  const bool split_off = view.branch == shared::BRANCH_REFLECTED;
+  if (!split_off) ++pass_samples_;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    glm::dvec3 sum = radiance(samples[i]);
-    if (!reflected.empty()) sum += radiance(reflected[i]);
-    beauty_[i] += sum;
-    squares_[i] += sum * sum;
+    const PixelSample& s = samples[i];
+    pass_[i] += glm::dvec3(s.emitted) + weighted(s, s.direct, 1) + weighted(s, s.targeted, scale_.targeted) +
+                weighted(s, s.caustic, scale_.caustic);
   }
   for (Sum& sum : aovs_) {
     const auto aov =
         std::find_if(all_aovs().begin(), all_aovs().end(), [&](const Aov& a) { return a.name == sum.name; });
+    if (split_off && !aov->radiance) continue;
     const std::size_t channels = sum.channels.size();
     for (std::size_t i = 0; i < samples.size(); ++i) {
       glm::dvec3 value = aov->value(samples[i], scale_);
-      if (aov->radiance && !reflected.empty()) value += aov->value(reflected[i], scale_);
       if (sum.name == "position" && samples[i].triangle < shared::END_FIRST) value += origin_;
       for (std::size_t c = 0; c < channels; ++c) sum.values[i * channels + c] += value[static_cast<int>(c)];
     }
   }
+}
+
+void Film::end_pass() {
+  for (std::size_t i = 0; i < pass_.size(); ++i) {
+    const glm::dvec3 mean = pass_[i] / double(pass_samples_);
+    beauty_[i] += mean;
+    squares_[i] += mean * mean;
+    pass_[i] = glm::dvec3(0);
+  }
+  ++passes_;
+  samples_ += pass_samples_;
+  pass_samples_ = 0;
 }
 
 glm::dvec3 Film::variance(std::size_t pixel) const {
@@ -106,7 +119,7 @@ Image Film::image(std::uint32_t full_width, std::uint32_t full_height) const {
   image.y0 = static_cast<int>(crop_.y0);
   image.full_width = static_cast<int>(full_width);
   image.full_height = static_cast<int>(full_height);
-  const double scale = passes_ > 0 ? 1.0 / passes_ : 0;
+  const double scale = passes_ > 0 ? 1.0 / passes_ : 0, aov_scale = samples_ > 0 ? 1.0 / samples_ : 0;
 
   Layer beauty{"", rgb, {}};
   for (const glm::dvec3& sum : beauty_)
@@ -118,7 +131,7 @@ Image Film::image(std::uint32_t full_width, std::uint32_t full_height) const {
       for (std::size_t i = 0; i < beauty_.size(); ++i)
         for (int c = 0; c < 3; ++c) layer.pixels.push_back(static_cast<float>(variance(i)[c]));
     } else {
-      for (double v : sum.values) layer.pixels.push_back(static_cast<float>(v * scale));
+      for (double v : sum.values) layer.pixels.push_back(static_cast<float>(v * aov_scale));
     }
     image.layers.push_back(std::move(layer));
   }

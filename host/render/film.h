@@ -23,8 +23,9 @@ class Film {
   Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale,
        const glm::dvec3& origin = glm::dvec3(0));
 
-  // `reflected`: paths split off, whose light is added; none: empty.
-  void add(const std::vector<shared::PixelSample>& samples, const std::vector<shared::PixelSample>& reflected = {});
+  // The samples of one view of a pass; after its last, end_pass.
+  void add(const std::vector<shared::PixelSample>& samples, const View& view = {});
+  void end_pass();
   std::uint32_t passes() const { return passes_; }
 
   // Means over the passes: the beauty and the layers asked for. `variance` is that of the mean, per channel, from the
@@ -39,15 +40,18 @@ class Film {
   struct Sum {
     std::string name;
     std::vector<std::string> channels;
-    std::vector<double> values;
+    std::vector<double> values;  // over all samples
   };
   glm::dvec3 variance(std::size_t pixel) const;
 
   Crop crop_;
+  std::uint32_t samples_ = 0;  // a pixel's, of all passes; split paths once
   MapScale scale_;
   glm::dvec3 origin_;
   std::uint32_t passes_ = 0;
-  std::vector<glm::dvec3> beauty_, squares_;
+  std::uint32_t pass_samples_ = 0;            // of the pass that is under way: a pixel's, split paths once
+  std::vector<glm::dvec3> pass_;              // their sum
+  std::vector<glm::dvec3> beauty_, squares_;  // over the passes
   std::vector<Sum> aovs_;
 };
 

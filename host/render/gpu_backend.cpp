@@ -14,10 +14,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// Photons in the buffers at once: a pass of more takes them in turns, so that memory stays bounded.
-constexpr std::uint32_t most_at_once = 1u << 20;
-
-std::uint32_t photons_at_once(const RenderSettings& settings) { return std::min(settings.photons(), most_at_once); }
+std::uint32_t photon_capacity(const RenderSettings& settings) {
+  return std::min(settings.photons(), settings.photons_at_once);
+}
 
 // What photon maps need beside their photons; not made for a scene without specular surfaces or lights.
 struct MapPasses {
@@ -52,9 +51,9 @@ struct GpuBackend::Passes {
         world(w),
         settings(std::move(s)),
         commands(device),
-        tables(device, world, passes::entry_capacity(photons_at_once(settings)), allow_texel),
+        tables(device, world, passes::entry_capacity(photon_capacity(settings)), allow_texel),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
-        capacity(photons_at_once(settings)),
+        capacity(photon_capacity(settings)),
         photons(device, capacity),
         paths(device, world, tables, photons, tiles, settings) {
     if (capacity > 0) maps.emplace(device, photons, capacity, tiles, tables.texel);
@@ -91,29 +90,35 @@ struct GpuBackend::Passes {
     }
   }
 
+  void trace_camera(std::uint32_t pass, const View& view) {
+    paths.trace_camera(commands, settings, pass, view, view.sample > 0 && gathers_at_centres(settings));
+  }
+
   // One camera path a pixel, lit by the photons of the pass, and how these ended.
-  PassResult render(std::uint32_t pass, std::uint32_t branch) {
-    PassResult result;
-    for (Tally& t : result.tallies) t.flux_landed.resize(world.surfaces.size());
-    paths.trace_camera(commands, settings, pass, branch);
+  Tallies render(std::uint32_t pass, const View& view) {
+    Tallies tallies;
+    for (Tally& t : tallies) t.flux_landed.resize(world.surfaces.size());
+    trace_camera(pass, view);
     grids = 0;
     trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
       for (std::uint32_t first = 0; first < count; ++grids) {
         first += maps->cells.build(commands, grid, first, count - first);
         maps->gather.run(commands, grid);
       }
-      tally(result.tallies, count);
+      tally(tallies, count);
     });
-    result.samples = samples();
-    return result;
+    return tallies;
   }
 
-  // The same for the reflected branch, after render: where all photons fit into one grid, they are still there.
-  std::vector<shared::PixelSample> render_reflected(std::uint32_t pass) {
-    if (grids > 1) return render(pass, shared::BRANCH_REFLECTED).samples;
-    paths.trace_camera(commands, settings, pass, shared::BRANCH_REFLECTED);
+  // Another view of the pass, after render: where all photons fit into one grid, they are still there; else they are
+  // traced anew.
+  void render_again(std::uint32_t pass, const View& view) {
+    if (grids > 1) {
+      render(pass, view);
+      return;
+    }
+    trace_camera(pass, view);
     if (grids == 1) maps->gather.run(commands, passes::make_grid(settings.photons(), pass_discs(settings.discs, pass)));
-    return samples();
   }
 
   std::vector<PhotonEnd> ends(std::uint32_t count) const {
@@ -135,12 +140,17 @@ GpuBackend::GpuBackend(gpu::Device device, const World& world, RenderSettings se
     : passes_(std::make_unique<Passes>(std::move(device), world, std::move(settings), allow_texel)) {}
 GpuBackend::~GpuBackend() = default;
 
-PassResult GpuBackend::render_pass(std::uint32_t pass) {
+Tallies GpuBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
   Passes& p = *passes_;
-  PassResult result = p.render(pass, p.settings.split ? shared::BRANCH_THROUGH : shared::BRANCH_ROULETTE);
-  if (p.settings.split) result.reflected = p.render_reflected(pass);
+  const std::vector<View> views = views_of(p.settings);
+  Tallies tallies = p.render(pass, views.front());
+  take(p.samples(), views.front());
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    p.render_again(pass, views[i]);
+    take(p.samples(), views[i]);
+  }
   p.tables.collect_counters();
-  return result;
+  return tallies;
 }
 
 std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
@@ -152,8 +162,8 @@ std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
   return all;
 }
 
-std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass, std::uint32_t branch) {
-  passes_->paths.trace_camera(passes_->commands, passes_->settings, pass, branch);
+std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass, const View& view) {
+  passes_->trace_camera(pass, view);
   return passes_->samples();
 }
 

@@ -15,9 +15,9 @@ class GpuBackend final : public Backend {
   GpuBackend(gpu::Device device, const World& world, RenderSettings settings, bool allow_texel = true);
   ~GpuBackend() override;
 
-  PassResult render_pass(std::uint32_t pass) override;
+  Tallies render_pass(std::uint32_t pass, const TakeSamples& take) override;
   std::vector<PhotonEnd> trace_photons(std::uint32_t pass) override;
-  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, std::uint32_t branch) override;
+  std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, const View& view) override;
   void configure(const RenderSettings& settings) override;
   Statistics statistics() const override;
 

@@ -116,7 +116,7 @@ void share_out(std::vector<StartSet>& sets) {
 Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& settings) {
   RenderSettings pilot = coarse(settings);
   backend.configure(pilot);
-  const std::vector<shared::PixelSample> samples = backend.trace_camera(pilot_pass, shared::BRANCH_ROULETTE);
+  const std::vector<shared::PixelSample> samples = backend.trace_camera(pilot_pass, View{});
   const bool splits = std::any_of(samples.begin(), samples.end(), [](const auto& s) { return s.split > 0; });
   const SeenCells cells(samples, pilot.crop.width());
 

@@ -6,9 +6,10 @@ Tallies render_passes(Backend& backend, const PassRange& passes, Film& film,
                       const std::function<bool(std::uint32_t)>& after_pass) {
   Tallies tallies;
   for (std::uint32_t pass = passes.first; pass < passes.last; ++pass) {
-    const PassResult result = backend.render_pass(pass);
-    film.add(result.samples, result.reflected);
-    for (std::size_t s = 0; s < tallies.size(); ++s) tallies[s].add(result.tallies[s]);
+    const Tallies ended =
+        backend.render_pass(pass, [&](const auto& samples, const View& view) { film.add(samples, view); });
+    film.end_pass();
+    for (std::size_t s = 0; s < tallies.size(); ++s) tallies[s].add(ended[s]);
     if (!after_pass(pass - passes.first + 1)) break;
   }
   return tallies;

@@ -57,7 +57,10 @@ struct RenderSettings {
   Discs discs;                      // of pass 0
   double footprint = 0;             // side of a pixel on what is seen, m
   std::uint32_t specular_bounces = 8;
-  bool split = false;  // camera paths in two where light is reflected in part, instead of by roulette
+  std::uint32_t photons_at_once =
+      1u << 20;               // on the device: a pass of more takes them in turns, so that memory is bounded
+  std::uint32_t samples = 1;  // camera paths a pixel and pass
+  bool split = false;         // each in two where light is reflected in part, instead of by roulette
 
   std::uint32_t photons() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }  // per pass
 };
@@ -65,11 +68,14 @@ struct RenderSettings {
 // Radius in a pass of the finest beam's discs where light is neither focused nor spread, m.
 double disc_radius(const RenderSettings& settings, std::uint32_t pass);
 
-// Part of a pixel's side that camera rays are spread over in a pass: all of it, but that a single pass looks better
+// Part of a pixel's side that camera rays are spread over in a pass: all of it, but that a single ray looks better
 // without. Round discs of any size leave the pixel's filter to the rays from the beginning.
 inline float pixel_jitter(const RenderSettings& settings, std::uint32_t pass) {
-  return pass == 0 && !settings.discs.round() ? 0 : 1;
+  return pass == 0 && settings.samples == 1 && !settings.discs.round() ? 0 : 1;
 }
+
+// All samples of a pixel are gathered at its centre: those that end on one triangle, at one place.
+inline bool gathers_at_centres(const RenderSettings& settings) { return !settings.discs.round(); }
 
 // From where a ray ends to where the pixel's centre sees the same plane, at the most, m. Where it is further, the pixel
 // sees so much through a curved surface that its differentials tell nothing.

@@ -11,7 +11,8 @@ SHARED_BEGIN
 const uint DIM_LIGHT = 2u, DIM_LIGHT_U = 3u, DIM_LIGHT_V = 4u, DIM_LIGHT_SIDE = 5u, DIM_FIRST_BOUNCE = 8u;
 const uint BOUNCE_DIMENSIONS = 2u;  // 0: specular or diffuse, 1: reflect or refract
 // What the numbers are drawn for: keeps photons of each beam and camera paths apart.
-const uint STREAM_CAMERA = 0u, STREAM_BEAM = 1u;  // of the i-th beam: STREAM_BEAM + i
+const uint STREAM_BEAM = 1u;             // of the i-th beam: STREAM_BEAM + i
+const uint STREAM_CAMERA = 0x80000000u;  // of the i-th sample of a pixel and pass: STREAM_CAMERA + i
 
 // Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020: pcg4d.
 SHARED uvec4 pcg4d(uvec4 v) {
@@ -40,6 +41,12 @@ SHARED uint random_bits(RandomKey key, uint dimension) {
   return pcg4d(uvec4(key.index, key.pass, key.seed ^ (key.stream * 0x9E3779B9u), dimension)).x;
 }
 SHARED float random_unit(RandomKey key, uint dimension) { return unit_float(random_bits(key, dimension)); }
+
+// Where in a pixel its i-th sample in a pass lies, in [0, 1)^2: the R2 sequence (Roberts 2018), shifted at random. `key`: of the pixel's
+// sample 0.
+SHARED vec2 pixel_place(RandomKey key, uint i) {
+  return vec2(unit_float(random_bits(key, 0u) + 3242174889u * i), unit_float(random_bits(key, 1u) + 2447445414u * i));
+}
 
 SHARED uint reverse_bits(uint x) {
   x = (x << 16u) | (x >> 16u);

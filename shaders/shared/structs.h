@@ -112,7 +112,7 @@ struct PixelSample {
   vec3 weight;     // radiance per irradiance: throughput * albedo / pi; 0 where no visible point
   float split;     // 1 where the camera path met a surface that reflects a part and lets a part through
   vec3 emitted;  // radiance that reaches the camera from light-emitting surfaces
-  float pad1;
+  uint lit;      // 1: the maps' irradiances are those of the sample before, at the same place
   vec3 direct;  // irradiance from the lights
   float pad2;
   vec3 targeted;         // irradiance from the targeted map
@@ -128,7 +128,8 @@ struct PathPush {
   uint first, count, buffer_first;  // photons, or pixels of the crop: of invocation 0; all; the first in the buffers
   uint specular_bounces;
   uint light_count, light_first;  // of the scene; where their CDF begins
-  uint branch;                    // of camera paths: BRANCH_*
+  uint sample_index, branch;      // of camera paths: which of a pixel's in the pass; BRANCH_*
+  uint keeps;                     // samples that end on the triangle of the one before keep its maps' irradiances
   // Of photons.
   uint beams;
   float shrink;             // of the beams' reaches in this pass

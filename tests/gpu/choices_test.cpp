@@ -52,7 +52,7 @@ TEST(Choices, DoNotChangeThePicture) {
     gpu::Device device = gpu::Device::open("auto");
     device.set_choices(choices);
     GpuBackend backend(device, setup->world, setup->settings);
-    const auto samples = backend.render_pass(1).samples;
+    const auto samples = test::render_pass(backend, 1).samples;
     if (expected.empty()) expected = samples;
     ASSERT_EQ(samples.size(), expected.size());
     EXPECT_EQ(std::memcmp(samples.data(), expected.data(), samples.size() * sizeof(samples[0])), 0);

@@ -7,11 +7,8 @@
 namespace meniscal {
 namespace {
 
-// Of both paths, where they are split.
 std::vector<shared::PixelSample> samples_of(Backend& backend, std::uint32_t pass) {
-  PassResult result = backend.render_pass(pass);
-  result.samples.insert(result.samples.end(), result.reflected.begin(), result.reflected.end());
-  return result.samples;
+  return test::render_pass(backend, pass).samples;
 }
 
 glm::dvec3 radiance(const shared::PixelSample& s) {
@@ -25,6 +22,7 @@ TEST_P(ImageAgreement, GpuAndReferenceGiveTheSamePicture) {
   REQUIRE_DEVICE();
   const auto setup = test::make_setup(GetParam(), test::small_options(40000, 80, 60));
   setup->settings.split = true;
+  setup->settings.samples = 2;
   GpuBackend gpu(gpu::Device::open("auto", true), setup->world, setup->settings);
   reference::ReferenceBackend cpu(setup->world, setup->settings);
   const auto a = samples_of(gpu, 2), b = samples_of(cpu, 2);
@@ -76,8 +74,8 @@ TEST_P(ImageAgreement, ValidationLayerIsSilent) {
   for (bool texel : {false, true}) {
     const auto setup = test::make_setup(GetParam(), test::small_options(40000, 80, 60));
     GpuBackend gpu(device, setup->world, setup->settings, texel);
-    gpu.render_pass(0);
-    gpu.render_pass(1);
+    test::render_pass(gpu, 0);
+    test::render_pass(gpu, 1);
   }
   EXPECT_TRUE(device.validation_messages().empty()) << device.validation_messages().front();
 }
@@ -103,6 +101,60 @@ TEST(Split, GivesTheLightOfRouletteWithLessNoise) {
   std::printf("mean %.5g by roulette, %.5g split; noise %.3f and %.3f\n", mean[0], mean[1], noise[0], noise[1]);
   EXPECT_NEAR(mean[1], mean[0], 0.005 * mean[0]);
   EXPECT_LT(noise[1], 0.7 * noise[0]);
+}
+
+// A pass of more photons than the device holds at once, of several samples, is the same one in smaller parts.
+TEST(Chunks, AddUpToThePass) {
+  REQUIRE_DEVICE();
+  const auto setup = test::make_setup("shadow_sausage", test::small_options(50000, 80, 60));
+  setup->settings.split = true;
+  setup->settings.samples = 2;
+  test::PassResult whole, parts;
+  for (test::PassResult* result : {&whole, &parts}) {
+    GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+    *result = test::render_pass(gpu, 1);
+    setup->settings.photons_at_once = 7000;
+  }
+  ASSERT_EQ(whole.samples.size(), 4u * 80 * 60);
+  ASSERT_EQ(parts.samples.size(), whole.samples.size());
+  double found = 0;
+  for (std::size_t i = 0; i < whole.samples.size(); ++i) {
+    const shared::PixelSample &a = whole.samples[i], &b = parts.samples[i];
+    found += double(a.targeted_count + a.caustic_count);
+    EXPECT_EQ(a.targeted_count, b.targeted_count) << "pixel " << i;
+    EXPECT_EQ(a.caustic_count, b.caustic_count) << "pixel " << i;
+    EXPECT_NEAR(a.targeted.x, b.targeted.x, 1e-5f * a.targeted.x) << "pixel " << i;
+    EXPECT_NEAR(a.caustic.x, b.caustic.x, 1e-5f * a.caustic.x) << "pixel " << i;
+  }
+  EXPECT_GT(found, 1e5);
+  for (std::size_t map = 0; map < shared::MAPS; ++map) {
+    EXPECT_EQ(whole.tallies[map].stored, parts.tallies[map].stored);
+    EXPECT_NEAR(whole.tallies[map].flux_in, parts.tallies[map].flux_in, 1e-12 * whole.tallies[map].flux_in);
+  }
+}
+
+// Several samples in a pass are as good as so many passes: the same mean, and edges as smooth.
+TEST(Samples, SmoothEdgesAsPassesDo) {
+  REQUIRE_DEVICE();
+  const auto setup = test::make_setup("post", test::small_options(0, 40, 30));
+  const auto depth = [&](std::uint32_t samples, std::uint32_t passes) {
+    setup->settings.samples = samples;
+    GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+    Film film(setup->settings.crop, {"depth"}, {});
+    render_passes(gpu, {1, 1 + passes}, film, [](std::uint32_t) { return true; });
+    return film.image(40, 30).find("depth")->pixels;
+  };
+  const std::vector<float> truth = depth(16, 16), one = depth(1, 1), by_samples = depth(16, 1),
+                           by_passes = depth(1, 16);
+  const auto error = [&](const std::vector<float>& pixels) {
+    double sum = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) sum += std::pow(double(pixels[i]) - double(truth[i]), 2);
+    return std::sqrt(sum / double(truth.size()));
+  };
+  std::printf("depth's error: %.3g, by samples %.3g, by passes %.3g\n", error(one), error(by_samples),
+              error(by_passes));
+  EXPECT_LT(error(by_samples), 0.35 * error(one));
+  EXPECT_LT(error(by_samples), 1.2 * error(by_passes));
 }
 
 // A radius as wide as the scene: each pixel tests more photons than one dispatch may, in several rounds.

@@ -17,13 +17,13 @@ RenderOptions options_of(Integrator integrator = Integrator::targeted) {
   return options;
 }
 
-double mean_density(const PassResult& result) {
+double mean_density(const test::PassResult& result) {
   double found = 0;
   for (const shared::PixelSample& s : result.samples) found += double(s.targeted_count + s.caustic_count);
   return found / double(result.samples.size());
 }
 
-double irradiance(const PassResult& result) {
+double irradiance(const test::PassResult& result) {
   double sum = 0;
   for (const shared::PixelSample& s : result.samples) sum += mean_of(s.targeted + s.caustic);
   return sum / double(result.samples.size());
@@ -42,14 +42,14 @@ TEST(Pilot, SendsPhotonsWhereTheyAreSeen) {
     return double(seen) / double(ends.size());
   };
   const double before = seen_part();
-  const PassResult wide = gpu.render_pass(0);
+  const test::PassResult wide = test::render_pass(gpu, 0);
   focus(setup->settings, options, setup->world, gpu);
   const double after = seen_part();
   std::printf("seen: %.3f of the photons before, %.3f after\n", before, after);
   EXPECT_GT(after, 0.35);
   EXPECT_GT(after, 2 * before);
 
-  const PassResult narrow = gpu.render_pass(0);
+  const test::PassResult narrow = test::render_pass(gpu, 0);
   EXPECT_GT(mean_density(narrow), mean_density(wide) / 4) << "narrower discs, more of them";
   EXPECT_NEAR(irradiance(narrow), irradiance(wide), 0.02 * irradiance(wide));
   for (std::size_t map = 0; map < shared::MAPS; ++map) {
@@ -80,10 +80,10 @@ TEST(Ordinary, GivesTheSameLight) {
   for (const char* scene : {"post", "area_light", "spot_light", "point_light"}) {
     const auto setup = test::make_setup(scene, options);
     GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
-    const PassResult ordinary = gpu.render_pass(0);
+    const test::PassResult ordinary = test::render_pass(gpu, 0);
     const auto targeted_setup = test::make_setup(scene, options_of());
     GpuBackend targeted_gpu(gpu::Device::open("auto"), targeted_setup->world, targeted_setup->settings);
-    const PassResult targeted = targeted_gpu.render_pass(0);
+    const test::PassResult targeted = test::render_pass(targeted_gpu, 0);
     for (std::size_t map = 0; map < shared::MAPS; ++map) {
       const double flux = targeted.tallies[map].flux_in;
       const double noise = 4 * flux / std::sqrt(std::max(double(ordinary.tallies[map].visible), 1.0));

@@ -66,7 +66,7 @@ TEST_P(Flux, EnteringTheTargetedMapEqualsQuadrature) {
   constexpr int passes = 4;
   double sum = 0, squares = 0;
   for (int pass = 0; pass < passes; ++pass) {
-    const double flux = gpu.render_pass(pass).tallies[shared::MAP_TARGETED].flux_in;
+    const double flux = test::render_pass(gpu, pass).tallies[shared::MAP_TARGETED].flux_in;
     sum += flux / passes;
     squares += flux * flux / passes;
   }

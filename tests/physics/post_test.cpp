@@ -20,7 +20,7 @@ Rings render_rings(const test::Setup& setup, std::uint32_t passes) {
   std::vector<double> sums(240), counts(240);
   Rings rings;
   for (std::uint32_t pass = 0; pass < passes; ++pass) {
-    const PassResult result = gpu.render_pass(pass);
+    const test::PassResult result = test::render_pass(gpu, pass);
     for (const shared::PixelSample& s : result.samples) {
       const auto bin = static_cast<std::size_t>(1e3 * std::hypot(double(s.position.x), double(s.position.z)) / bin_mm);
       if (s.triangle >= shared::END_FIRST || bin >= sums.size()) continue;

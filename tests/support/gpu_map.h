@@ -22,7 +22,7 @@ struct GpuMap {
 
   // The photons, and the pixels, to which gathering adds.
   void prepare() {
-    paths.trace_camera(commands, settings, 0, shared::BRANCH_ROULETTE);
+    paths.trace_camera(commands, settings, 0, View{});
     paths.trace_photons(commands, settings, 0, 0, count, grid);
   }
   // Of as many photons from `first` on as fit; returns how many.

@@ -36,7 +36,21 @@ inline RenderOptions small_options(std::uint32_t photons, int width = 64, int he
   options.photons = photons;
   options.resolution = Resolution{width, height};
   options.specular_bounces = 8;
+  options.samples = 1;
   return options;
+}
+
+// The samples of all views, one after the other.
+struct PassResult {
+  std::vector<shared::PixelSample> samples;
+  Tallies tallies;
+};
+inline PassResult render_pass(Backend& backend, std::uint32_t pass) {
+  PassResult result;
+  result.tallies = backend.render_pass(pass, [&](const std::vector<shared::PixelSample>& samples, const View&) {
+    result.samples.insert(result.samples.end(), samples.begin(), samples.end());
+  });
+  return result;
 }
 
 inline const Stratum* find_stratum(const World& world, const std::string& name) {
