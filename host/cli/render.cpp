@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,12 +20,10 @@
 #include "host/render/gpu_backend.h"
 #include "host/render/header.h"
 #include "host/render/statistics.h"
+#include "host/stopwatch.h"
 
 namespace meniscal {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::unique_ptr<Backend> make_backend(const std::string& device, const World& world, const RenderSettings& settings) {
   if (device == "cpu") return std::make_unique<reference::ReferenceBackend>(world, settings);
@@ -42,7 +39,7 @@ void require_outputs(const RenderOptions& options) {
 }
 
 void render(const RenderOptions& options) {
-  const auto start = Clock::now();
+  const Stopwatch total;
   require_outputs(options);
   catch_interrupts();
   Progress progress(progress_style(options.quiet, options.json_progress, isatty(STDERR_FILENO) != 0));
@@ -50,7 +47,7 @@ void render(const RenderOptions& options) {
   progress.begin("scene", 1);
   const Scene scene = load_gltf(options.scene);
   RunStatistics run;
-  run.seconds["load"] = seconds_since(start);
+  run.seconds["load"] = total.seconds();
   const World world = build_world(scene, options.meniscus);
   progress.clear();
   for (const std::string& w : scene.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
@@ -75,13 +72,13 @@ void render(const RenderOptions& options) {
     fmt::print(stderr, "meniscal: warning: {} rays were cut short in the hierarchy; the picture lacks their light\n",
                run.backend.traversal_limits);
 
-  const auto write_start = Clock::now();
+  const Stopwatch writing;
   Image image = film.image(settings.width, settings.height);
-  describe(image, scene, settings, options.meniscus, run, seconds_since(start));
+  describe(image, scene, settings, options.meniscus, run, total.seconds());
   write_exr(options.output, image);
   if (options.preview) write_preview(*options.preview, image, options.tonemap, options.exposure);
-  run.seconds["write"] = seconds_since(write_start);
-  run.seconds["total"] = seconds_since(start);
+  run.seconds["write"] = writing.seconds();
+  run.seconds["total"] = total.seconds();
   if (options.stats) write_file(*options.stats, statistics_json(world, settings, options.meniscus, run).dump(2) + "\n");
   if (interrupted())
     throw Error(ExitCode::interrupted, fmt::format("interrupted after {} of {} passes; {} holds the image so far",

@@ -1,18 +1,15 @@
 #include "host/render/gpu_backend.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
 #include "host/passes/gather.h"
 #include "host/passes/paths.h"
+#include "host/stopwatch.h"
 
 namespace meniscal {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::uint32_t photon_capacity(const RenderSettings& settings) {
   return std::min(settings.photons(), settings.photons_at_once);
@@ -36,9 +33,9 @@ struct GpuBackend::Passes {
   const World& world;
   RenderSettings settings;
   gpu::Commands commands;
-  Clock::time_point start = Clock::now();
+  Stopwatch set_up;
   passes::SceneTables tables;
-  double upload_seconds = seconds_since(start), compile_seconds;
+  double upload_seconds = set_up.seconds(), compile_seconds;
   std::vector<passes::PixelTile> tiles;
   std::uint32_t capacity;  // of photons at once
   passes::PhotonBuffers photons;
@@ -57,7 +54,7 @@ struct GpuBackend::Passes {
         photons(device, capacity),
         paths(device, world, tables, photons, tiles, settings) {
     if (capacity > 0) maps.emplace(device, photons, capacity, tiles, tables.texel);
-    compile_seconds = seconds_since(start) - upload_seconds;
+    compile_seconds = set_up.seconds() - upload_seconds;
   }
 
   // By the stages of interface: seconds of "photons", "grid", "gather", and of set-up.

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <stdexcept>
 
 #include "host/error.h"
+#include "host/stopwatch.h"
 #include "host/world/light_view.h"
 #include "host/world/lights.h"
 #include "host/world/surfaces.h"
@@ -15,10 +15,6 @@
 
 namespace meniscal {
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 double contact_angle(const Material& solid, const Material& liquid) {
   const auto named = solid.contact_angle_with.find(liquid.name);
@@ -94,7 +90,7 @@ double signed_volume(const meniscus::TriangleMesh& mesh) {
 
 // Puts triangles into the order of the BVH's leaves.
 void build_hierarchy(World& world) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   std::vector<Triangle> corners;
   corners.reserve(world.triangles.size());
   for (const WorldTriangle& t : world.triangles) corners.push_back({t.corner[0], t.corner[1], t.corner[2]});
@@ -103,7 +99,7 @@ void build_hierarchy(World& world) {
   ordered.reserve(corners.size());
   for (std::uint32_t i : world.bvh.order) ordered.push_back(world.triangles[i]);
   world.triangles = std::move(ordered);
-  world.bvh_seconds = seconds_since(start);
+  world.bvh_seconds = watch.seconds();
 }
 
 // Appends cumulative probabilities in units of 2^-32; from the last entry with a weight on they are 2^32 - 1, so that
@@ -176,7 +172,7 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
 
 World build_world(const Scene& scene, MeniscusModel model) {
   World world;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const std::vector<std::uint32_t> closed_surface = build_surfaces(world, scene);
   for (const Object& object : scene.objects) {
     const Material& m = scene.materials[object.material];
@@ -197,7 +193,7 @@ World build_world(const Scene& scene, MeniscusModel model) {
   if (model == MeniscusModel::exact && contacts)
     world.warnings.push_back(
         scene.file + ": the exact meniscus is not available yet; the paper's profile is used (--meniscus paper)");
-  world.meniscus_seconds = seconds_since(start);
+  world.meniscus_seconds = watch.seconds();
   if (world.triangles.empty())
     throw Error(ExitCode::scene, scene.file + ": no triangle with an area; nothing to render");
 

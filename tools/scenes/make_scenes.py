@@ -26,12 +26,13 @@ def matte(scene, name, albedo, **properties):
     return scene.material(name, color, extensions={"KHR_materials_specular": {"specularFactor": 0}}, **properties)
 
 
-def bench(depth=50 * MM, camera_depth=CAMERA_DEPTH, sun=True):
+def bench(depth=50 * MM, camera_depth=CAMERA_DEPTH, sun=True, camera=True):
     """Water over a Lambertian floor, seen from below the surface; the sun is vertical, 1 lx."""
     scene = Scene()
     scene.mesh("floor", square(32 * MM, -depth), matte(scene, "floor", 0.5, meniscus_ignore=1))
     add_water(scene, 30 * MM, depth)
-    scene.camera((0, -camera_depth, 0), (0, -depth, 0), half_width=VIEW_HALF_WIDTH)
+    if camera:
+        scene.camera((0, -camera_depth, 0), (0, -depth, 0), half_width=VIEW_HALF_WIDTH)
     if sun:
         scene.light("sun", "directional", 1, (0, 100 * MM, 0), (0, 0, 0))
     return scene
@@ -106,6 +107,30 @@ def spot_light():
     return scene
 
 
+def three_lights():
+    """A tilted sun, a bulb and a square lamp, about as bright on the floor."""
+    scene = bench(sun=False)
+    add_post(scene, -51 * MM)
+    scene.light("sun", "directional", 0.6, (-15 * MM, 100 * MM, 12 * MM), (0, 0, 0))
+    scene.light("bulb", "point", 0.02, (25 * MM, 200 * MM, -15 * MM), (0, 0, 0))
+    lamp = matte(scene, "lamp", 0, emissive=60, meniscus_ignore=1)
+    scene.mesh("lamp", square(10 * MM, 200 * MM, facing=-1), lamp)
+    return scene
+
+
+def behind_glass():
+    """The bright ring round a water-repellent post through the water's surface and two panes above it."""
+    scene = bench(camera=False)
+    add_post(scene, -51 * MM, material=matte(scene, "post", 0.5, meniscus_contact_angle=150))
+    glass = scene.material("glass", roughness=0, extensions={
+        "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.5},
+        "KHR_materials_volume": {"thicknessFactor": 3 * MM}})
+    for y in (60 * MM, 80 * MM):
+        scene.mesh(f"pane at {1000 * y:.0f} mm", box((-25 * MM, y, 5 * MM), (25 * MM, y + 3 * MM, 75 * MM)), glass)
+    scene.camera((0, 120 * MM, 60 * MM), (0, -45 * MM, 0), yfov=9, aspect=4 / 3)
+    return scene
+
+
 def shadow_sausage():
     """The paper's figure 2: a tilted rod in a dish of water under the sun; its shadow is broken at the water line."""
     depth, from_vertical = 45 * MM, math.radians(25)
@@ -124,9 +149,9 @@ def shadow_sausage():
     return scene
 
 
-SCENES = {"area_light": area_light, "box": box_scene, "flat_water": flat_water, "point_light": point_light, "post": post,
+SCENES = {"area_light": area_light, "behind_glass": behind_glass, "box": box_scene, "flat_water": flat_water, "point_light": point_light, "post": post,
           "post_stub": post_stub, "shadow_sausage": shadow_sausage, "sphere": sphere_scene, "spot_light": spot_light,
-          "two_posts": two_posts}
+          "three_lights": three_lights, "two_posts": two_posts}
 
 
 def main(names):
