@@ -9,10 +9,11 @@
 
 layout(push_constant) uniform Push { CellsPush push; };
 FETCH_TABLE(0, discs)
-layout(set = 0, binding = 1, std430) buffer Entries { uvec2 entries[]; };  // (key, photon)
+layout(set = 0, binding = 1, std430) writeonly buffer Entries { uvec2 entries[]; };  // (key, photon)
 layout(set = 0, binding = 2, std430) buffer Counts { uint counts[]; };
 layout(set = 0, binding = 3, std430) writeonly buffer Listed { uint listed[]; };  // photons
 layout(set = 0, binding = 4, std430) writeonly buffer Cells { uvec2 cells[]; };   // (first, one past the last) of listed, by key
+FETCH_PAIRS(5, entries)                                                           // the same as 1
 
 // CELLS_NUMBER counts the cells of a photon, at counts[i]: a scan turns these into places, at which CELLS_ENTER enters it.
 void enter(uint i) {
@@ -51,7 +52,7 @@ void enter(uint i) {
 void walk(uint chunk) {
   uint end = min((chunk + 1u) * SORT_CHUNK, push.count);
   for (uint i = chunk * SORT_CHUNK; i < end; ++i) {
-    uvec2 entry = entries[push.from + i];
+    uvec2 entry = FETCH_PAIR(entries, push.from + i);
     uint slot = ((entry.x >> push.shift) & (SORT_BINS - 1u)) * push.chunks + chunk;
     uint place = counts[slot];
     counts[slot] = place + 1u;
@@ -77,7 +78,8 @@ void scan(uint block) {
 // Where two cells of a photon have one key, its entries stand side by side: the sort is stable.
 void collect(uint i) {
   if (i >= push.count) return;
-  uvec2 entry = entries[push.from + i], before = i > 0u ? entries[push.from + i - 1u] : uvec2(0u, LISTED_TWICE);
+  uvec2 entry = FETCH_PAIR(entries, push.from + i);
+  uvec2 before = i > 0u ? FETCH_PAIR(entries, push.from + i - 1u) : uvec2(0u, LISTED_TWICE);
   listed[i] = entry.y | (entry == before ? LISTED_TWICE : 0u);
   // The first cell's range begins at 0, as the table was cleared to.
   if (i > 0u && before.x != entry.x) {

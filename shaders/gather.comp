@@ -8,10 +8,14 @@
 
 layout(push_constant) uniform Push { GatherPush push; };
 FETCH_TABLE(0, discs)
-layout(set = 0, binding = 1, std430) readonly buffer Cells { uvec2 cells[]; };
-layout(set = 0, binding = 2, std430) buffer Samples { PixelSample samples[]; };
+FETCH_PAIRS(1, cells)
+layout(set = 0, binding = 2, std430) writeonly buffer Samples { PixelSample samples[]; };
 layout(set = 0, binding = 3, std430) buffer Counters { uint counters[]; };
 FETCH_WORDS(4, listed)
+FETCH_TABLE(5, samples)  // the same as 2: loads from storage buffers are dear on lavapipe
+
+// Texels of a PixelSample, and of what is read of it.
+const uint SAMPLE_TEXELS = 8u, POSITION = 0u, NORMAL = 1u, ALBEDO_TRIANGLE = 2u, EMITTED_LIT = 4u, TARGETED = 6u, CAUSTIC = 7u;
 
 // Pixels that run together lie in blocks of 8 x 8, and in those in blocks of 4 x 2: they read the same cells.
 uint pixel_of(uint invocation) {
@@ -23,16 +27,19 @@ uint pixel_of(uint invocation) {
 
 void main() {
   uint invocation = invocation_index();
-  uint i = pixel_of(push.first + invocation);
-  if (invocation >= push.count || i >= push.pixels || samples[i].triangle >= END_FIRST || samples[i].lit != 0u) return;
-  vec3 position = samples[i].position, normal = samples[i].normal;
-  vec3 targeted = vec3(0.0), caustic = vec3(0.0);
-  float targeted_count = 0.0, caustic_count = 0.0;
+  uint i = pixel_of(push.first + invocation), texel = SAMPLE_TEXELS * i;
+  if (invocation >= push.count || i >= push.pixels || FETCH(samples, texel + ALBEDO_TRIANGLE).w >= END_FIRST ||
+      FETCH(samples, texel + EMITTED_LIT).w != 0u)
+    return;
+  vec3 position = uintBitsToFloat(FETCH(samples, texel + POSITION).xyz);
+  vec3 normal = uintBitsToFloat(FETCH(samples, texel + NORMAL).xyz);
+  vec4 targeted = uintBitsToFloat(FETCH(samples, texel + TARGETED));
+  vec4 caustic = uintBitsToFloat(FETCH(samples, texel + CAUSTIC));
   uint seen = 0u;  // candidates so far, over all cells: those of this round are [first_candidate, first_candidate + GATHER_ROUND)
   uint round_end = push.first_candidate + GATHER_ROUND;
   for (uint level = 0u; level < push.levels; ++level) {
     ivec3 cell = grid_cell(position, level_cell_size(push.narrowest, level));
-    uvec2 range = cells[cell_key(cell, level, push.cell_mask)];
+    uvec2 range = FETCH_PAIR(cells, cell_key(cell, level, push.cell_mask));
     uint first = range.x + min(max(push.first_candidate, seen) - seen, range.y - range.x);
     uint last = range.x + min(max(round_end, seen) - seen, range.y - range.x);
     for (uint p = first; p < last; ++p) {
@@ -43,21 +50,17 @@ void main() {
       float a = dot(alpha, offset), b = dot(beta, offset), q2 = a * a + b * b, density = length(facing);
       // Cells that share a key share a range: what is not of this cell does not hold the point.
       if (disc_holds(offset, normal, q2, beta, facing, density) && photon < LISTED_TWICE) {
-        vec3 irradiance = uintBitsToFloat(uvec3(place.w & 0x7FFFFFFFu, along.w, across.w)) * (disc_kernel(q2) * density);
-        if ((place.w >> 31u) == MAP_TARGETED) {
-          targeted += irradiance;
-          targeted_count += 1.0;
-        } else {
-          caustic += irradiance;
-          caustic_count += 1.0;
-        }
+        vec3 flux = uintBitsToFloat(uvec3(place.w & 0x7FFFFFFFu, along.w, across.w));
+        vec4 found = vec4(flux * (disc_kernel(q2) * density), 1.0);
+        if ((place.w >> 31u) == MAP_TARGETED) targeted += found;
+        else caustic += found;
       }
     }
     seen += range.y - range.x;
   }
   atomicMax(counters[COUNTER_MOST_CANDIDATES], seen);
-  samples[i].targeted += targeted;
-  samples[i].targeted_count += targeted_count;
-  samples[i].caustic += caustic;
-  samples[i].caustic_count += caustic_count;
+  samples[i].targeted = targeted.xyz;
+  samples[i].targeted_count = targeted.w;
+  samples[i].caustic = caustic.xyz;
+  samples[i].caustic_count = caustic.w;
 }

@@ -50,6 +50,8 @@ std::string mebibytes(size_t bytes) {
                   "; try fewer photons per pass (--photons), a smaller picture (--resolution) or scene");
 }
 
+size_t bytes_of(Format format) { return format == Format::r32ui ? 4 : format == Format::rg32ui ? 8 : texel_bytes; }
+
 size_t texels(size_t bytes) { return std::max((bytes + texel_bytes - 1) / texel_bytes, size_t{1}); }
 
 // Memory that counts towards its heap and the device's total for as long as it lives.
@@ -118,7 +120,7 @@ VkBuffer Buffer::storage() const {
 
 VkBufferView Buffer::view(Format format) const {
   if (const auto made = views_.find(format); made != views_.end()) return made->second.get();
-  const size_t bytes = texels(bytes_) * texel_bytes, count = bytes / (format == Format::r32ui ? 4 : texel_bytes);
+  const size_t bytes = texels(bytes_) * texel_bytes, count = bytes / bytes_of(format);
   if (count > context_->limits.max_texel_elements) {
     throw Error(ExitCode::device, "device '" + context_->info.name + "': buffer '" + name_ + "' has " +
                                       std::to_string(count) + " texels, a texel buffer at most " +
@@ -129,6 +131,7 @@ VkBufferView Buffer::view(Format format) const {
   info.buffer = buffer_.get();
   info.format = format == Format::rgba32f    ? VK_FORMAT_R32G32B32A32_SFLOAT
                 : format == Format::rgba32ui ? VK_FORMAT_R32G32B32A32_UINT
+                : format == Format::rg32ui   ? VK_FORMAT_R32G32_UINT
                                              : VK_FORMAT_R32_UINT;
   info.range = bytes;
   VkBufferView view = VK_NULL_HANDLE;

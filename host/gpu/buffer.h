@@ -19,8 +19,8 @@ enum class Memory {
   staged   // as device, never mapped: so that staging can be tested where all memory is shared
 };
 
-// How a texel view (samplerBuffer, usamplerBuffer) reads 16 bytes, or 4.
-enum class Format { rgba32f, rgba32ui, r32ui };
+// How a texel view (samplerBuffer, usamplerBuffer) reads 16 bytes, or 8, or 4.
+enum class Format { rgba32f, rgba32ui, rg32ui, r32ui };
 
 // Storage buffer, transfer source and target, and texel buffer in one. Move-only. Contents undefined until written.
 class Buffer {

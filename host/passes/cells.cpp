@@ -29,7 +29,7 @@ gpu::ComputePass make_pass(const gpu::Device& device, bool texel) {
   return {device,
           "cells",
           shader("cells", texel),
-          {{0, table}, {1, storage}, {2, storage}, {3, storage}, {4, storage}},
+          {{0, table}, {1, storage}, {2, storage}, {3, storage}, {4, storage}, {5, table}},
           sizeof(CellsPush)};
 }
 
@@ -43,8 +43,12 @@ CellsPass::CellsPass(const gpu::Device& device, const PhotonBuffers& photons, st
       counts_(device, "grid counts", counters(photons.discs.bytes() / sizeof(shared::PhotonDisc), capacity) * 4),
       capacity_(static_cast<std::uint32_t>(capacity)),
       pass_(make_pass(device, texel)),
-      buffers_(pass_.bind(
-          {{0, photons.discs, gpu::Format::rgba32ui}, {1, entries_}, {2, counts_}, {3, listed}, {4, cells}})) {}
+      buffers_(pass_.bind({{0, photons.discs, gpu::Format::rgba32ui},
+                           {1, entries_},
+                           {2, counts_},
+                           {3, listed},
+                           {4, cells},
+                           {5, entries_, gpu::Format::rg32ui}})) {}
 
 std::uint32_t CellsPass::build(gpu::Commands& commands, const Grid& grid, std::uint32_t first, std::uint32_t count) {
   CellsPush push{};

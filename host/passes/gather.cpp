@@ -1,16 +1,15 @@
 #include "host/passes/gather.h"
 
+#include <algorithm>
+
 #include "shaders/shaders.h"
 
 namespace meniscal::passes {
 namespace {
 
 std::vector<gpu::Binding> layout(bool texel) {
-  return {{0, texel ? gpu::Kind::texel : gpu::Kind::storage},
-          {1, gpu::Kind::storage},
-          {2, gpu::Kind::storage},
-          {3, gpu::Kind::storage},
-          {4, texel ? gpu::Kind::texel : gpu::Kind::storage}};
+  const gpu::Kind storage = gpu::Kind::storage, table = texel ? gpu::Kind::texel : storage;
+  return {{0, table}, {1, table}, {2, storage}, {3, storage}, {4, table}, {5, table}};
 }
 
 // Pixels run in blocks of 8 x 8, whole ones at the edges too.
@@ -28,10 +27,11 @@ GatherPass::GatherPass(const gpu::Device& device, const PhotonBuffers& photons, 
       tiles_(tiles) {
   for (const PixelTile& tile : tiles)
     buffers_.push_back(pass_.bind({{0, photons.discs, gpu::Format::rgba32ui},
-                                   {1, grid.cells},
+                                   {1, grid.cells, gpu::Format::rg32ui},
                                    {2, tile.samples},
                                    {3, counters_},
-                                   {4, grid.listed, gpu::Format::r32ui}}));
+                                   {4, grid.listed, gpu::Format::r32ui},
+                                   {5, tile.samples, gpu::Format::rgba32ui}}));
 }
 
 void GatherPass::run(gpu::Commands& commands, const Grid& grid) {
@@ -54,6 +54,11 @@ void GatherPass::run(gpu::Commands& commands, const Grid& grid) {
     most = counters_.download<std::uint32_t>()[shared::COUNTER_MOST_CANDIDATES];
     push.first_candidate += shared::GATHER_ROUND;
   }
+}
+
+std::size_t largest_table(std::size_t photons, std::size_t pixels) {
+  constexpr std::size_t texels = sizeof(shared::PixelSample) / 16, most_pixels = 1u << 20;  // of a tile
+  return std::max(2 * entry_capacity(photons), texels * std::min(pixels, most_pixels));
 }
 
 }  // namespace meniscal::passes

@@ -22,4 +22,7 @@ class GatherPass {
   Batch batch_;
 };
 
+// Elements of the largest table that grid and gather read, for so many photons at once and pixels.
+std::size_t largest_table(std::size_t photons, std::size_t pixels);
+
 }  // namespace meniscal::passes

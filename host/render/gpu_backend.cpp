@@ -48,7 +48,7 @@ struct GpuBackend::Passes {
         world(w),
         settings(std::move(s)),
         commands(device),
-        tables(device, world, passes::entry_capacity(photon_capacity(settings)), allow_texel),
+        tables(device, world, passes::largest_table(photon_capacity(settings), settings.crop.pixels()), allow_texel),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
         capacity(photon_capacity(settings)),
         photons(device, capacity),

@@ -10,7 +10,7 @@ SHARED ivec3 grid_cell(vec3 position, float cell_size) { return ivec3(floor(posi
 
 // Cells of level 0; each further level's are twice as wide. Larger ones hold more that a pixel tests in vain, smaller
 // ones make more entries: measured.
-SHARED float level_cell_size(float narrowest, uint level) { return 1.7f * narrowest * float(1u << level); }
+SHARED float level_cell_size(float narrowest, uint level) { return 1.45f * narrowest * float(1u << level); }
 
 // The level at which a disc is entered: the first, i, where the geometric mean of its half-widths is at most 2^i times
 // `narrowest`.

@@ -13,7 +13,7 @@ struct GpuMap {
         count(settings.photons()),
         grid(passes::make_grid(count, settings.discs)),
         commands(device),
-        tables(device, world, passes::entry_capacity(count), true),
+        tables(device, world, passes::largest_table(count, settings.crop.pixels()), true),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
         photons(device, count),
         paths(device, world, tables, photons, tiles, settings),
