@@ -57,13 +57,14 @@ struct Hit {
 
 const float MISS = 3.0e38;
 
-// Slab test of one child box: the entry distance, or MISS.
-float enter_box(vec3 low, vec3 high, vec3 origin, vec3 inverse, float t_max) {
-  vec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
-  vec3 near3 = min(a, b), far3 = max(a, b);
-  float near = max(max(near3.x, near3.y), max(near3.z, 0.0));
-  float far = min(min(far3.x, far3.y), min(far3.z, t_max)) * 1.0000004;  // rounding of the three products
-  return near <= far ? near : MISS;
+// Slab test of a box: the entry distance, or MISS. Distances are compared as integers, which order floats alike from 0 up and keep those
+// below 0 below: one instruction, where that of floats asks about NaN.
+float enter_box(vec3 centre, vec3 half_size, vec3 origin, vec3 inverse, float t_max) {
+  vec3 middle = (centre - origin) * inverse, reach = half_size * abs(inverse);
+  ivec3 enter = floatBitsToInt(middle - reach), leave = floatBitsToInt(middle + reach);
+  float near = intBitsToFloat(max(max(enter.x, enter.y), max(enter.z, 0)));
+  float far = intBitsToFloat(min(min(leave.x, leave.y), min(leave.z, floatBitsToInt(t_max))));
+  return near <= far * 1.000002 ? near : MISS;  // what rounding takes from boxes far away; see BvhNode for those near by
 }
 
 // A ray's own axes: seen along it, triangles that share an edge see the same two points, so none slips between them (the idea of Woop
@@ -93,65 +94,61 @@ float edge_area(vec3 a, vec3 b) {
 void meet_triangle(RayFrame frame, vec3 p, vec3 q, vec3 r, uint triangle, bool asked, inout Hit hit) {
   vec3 a = see(frame, p), b = see(frame, q), c = see(frame, r);
   float wa = edge_area(b, c), wb = edge_area(c, a), wc = edge_area(a, b);
-  bool inside = min(wa, min(wb, wc)) >= 0.0 || max(wa, max(wb, wc)) <= 0.0;
-  float sum = wa + wb + wc;
-  float t = (wa * a.z + wb * b.z + wc * c.z) / sum;
-  if (asked && inside && sum != 0.0 && t > 0.0 && t < hit.t) hit = Hit(t, triangle, wb / sum, wc / sum);
+  float scale = 1.0 / (wa + wb + wc);  // infinite where seen edge-on: t is then no number or infinite, and no hit
+  wa *= scale;
+  wb *= scale;
+  wc *= scale;
+  float t = wa * a.z + wb * b.z + wc * c.z;
+  if (asked && wa >= 0.0 && wb >= 0.0 && wc >= 0.0 && t > 0.0 && t < hit.t) hit = Hit(t, triangle, wb, wc);
 }
 
 uint rays_traced = 0u;  // by this invocation; added to the counter at its end
 
 // Closest hit of origin + t direction (a unit vector) with 0 < t < t_max, leaving out triangle `skip` (the one the ray starts on).
 // With any_hit the first one found. One loop over nodes and triangles alike: each turn fetches one 64-byte record and does both tests,
-// since software drivers run both sides of a branch anyway. The top 8 entries of the stack are in registers, whose shifting costs less
-// than an access by a computed index; what they cannot hold goes to an array, outside the inner loop.
+// since software drivers run both sides of a branch anyway. The stack is eight entries in registers, whose shifting costs less than
+// memory at a computed index; it forgets the oldest. What it forgot is found again from the root by the trail, with a bit for each
+// level of the tree that says whether the last child there to visit was entered (Laine, "Restart Trail for Stackless BVH Traversal",
+// HPG 2010).
 Hit intersect(vec3 origin, vec3 direction, float t_max, uint skip, bool any_hit) {
   rays_traced += 1u;
   Hit hit = Hit(t_max, NO_TRIANGLE, 0.0, 0.0);
   RayFrame frame = make_frame(origin, direction);
-  vec3 safe = mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
+  vec3 safe = mix(direction, vec3(1e-12), lessThan(abs(direction), vec3(1e-12)));
   vec3 inverse = 1.0 / safe;
-  uint deep[TRAVERSAL_STACK];
-  uint deep_count = 0u;
   uvec4 top = uvec4(BVH_EMPTY), below = uvec4(BVH_EMPTY);
-  uint reference = 0u;
-  uint step = 0u;
-  while (reference != BVH_EMPTY) {
-    for (; step < TRAVERSAL_LIMIT && reference != BVH_EMPTY && below.w == BVH_EMPTY; ++step) {
-      bool leaf = (reference & BVH_LEAF) != 0u;
-      uint triangle = reference & BVH_FIRST_MASK;
-      uint record = 4u * (leaf ? TRIANGLE_BASE + triangle : reference);
-      uvec4 bits0 = FETCH(scene, record), bits1 = FETCH(scene, record + 1u);
-      uvec4 bits2 = FETCH(scene, record + 2u), bits3 = FETCH(scene, record + 3u);
-      vec3 v0 = uintBitsToFloat(bits0.xyz), v1 = uintBitsToFloat(bits1.xyz), v2 = uintBitsToFloat(bits2.xyz);
-      meet_triangle(frame, v0, v1, v2, triangle, leaf && triangle != skip, hit);
-      float near0 = enter_box(v0, v1, origin, inverse, hit.t);
-      float near1 = enter_box(v2, uintBitsToFloat(bits3.xyz), origin, inverse, hit.t);
-      bool hit0 = !leaf && near0 < MISS, hit1 = !leaf && near1 < MISS;
-      bool swap = near1 < near0;
-      bool more = leaf && ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK) != 0u;
-      bool push = hit0 && hit1, pop = !(hit0 || hit1 || more);
-      // The next triangle of a leaf: one fewer left, one further on.
-      uint next = leaf ? reference - (1u << BVH_COUNT_SHIFT) + 1u : swap ? bits1.w : bits0.w;
-      reference = pop ? top.x : next;
-      uint fifth = below.x;
-      below = push ? uvec4(top.w, below.xyz) : pop ? uvec4(below.yzw, BVH_EMPTY) : below;
-      top = push ? uvec4(swap ? bits0.w : bits1.w, top.xyz) : pop ? uvec4(top.yzw, fifth) : top;
-      if (any_hit && hit.triangle != NO_TRIANGLE) {
-        reference = BVH_EMPTY;
-        deep_count = 0u;
-      }
-    }
-    if (below.w != BVH_EMPTY) {
-      for (uint i = 0u; i < 4u; ++i) deep[deep_count + i] = below[3u - i];
-      deep_count += 4u;
-      below = uvec4(BVH_EMPTY);
-    }
-    if (reference == BVH_EMPTY && deep_count > 0u) {
-      deep_count -= 1u;
-      reference = deep[deep_count];
-    }
-    if (step == TRAVERSAL_LIMIT) reference = BVH_EMPTY;
+  uint reference = 0u, trail = 0u, level = BVH_ROOT_LEVEL, step = 0u;
+  for (; step < TRAVERSAL_LIMIT && reference != BVH_EMPTY; ++step) {
+    bool leaf = (reference & BVH_LEAF) != 0u;
+    uint triangle = reference & BVH_FIRST_MASK;
+    uint record = 4u * (leaf ? TRIANGLE_BASE + triangle : reference);
+    uvec4 bits0 = FETCH(scene, record), bits1 = FETCH(scene, record + 1u);
+    uvec4 bits2 = FETCH(scene, record + 2u), bits3 = FETCH(scene, record + 3u);
+    vec3 v0 = uintBitsToFloat(bits0.xyz), v1 = uintBitsToFloat(bits1.xyz), v2 = uintBitsToFloat(bits2.xyz);
+    meet_triangle(frame, v0, v1, v2, triangle, leaf && triangle != skip, hit);
+    float near0 = enter_box(v0, v1, origin, inverse, hit.t);
+    float near1 = enter_box(v2, uintBitsToFloat(bits3.xyz), origin, inverse, hit.t);
+    bool hit0 = !leaf && near0 < MISS, hit1 = !leaf && near1 < MISS;
+    bool more = leaf && ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK) != 0u;
+    bool both = hit0 && hit1, one = hit0 != hit1;
+    bool nearer_done = (trail & level) != 0u;
+    // A lone box where the farther child was looked for is the nearer one's: the farther lies behind the hit by now.
+    bool pop = !(both || more || one && level != (trail & (0u - trail)));
+    bool push = both && !nearer_done;
+    bool second = (near1 < near0) != (both && nearer_done);
+    uint parent = level << 1u;
+    trail = pop ? (trail & (0u - parent)) + parent : one ? trail | level : trail;
+    bool restart = pop && top.x == BVH_EMPTY;
+    uint popped = restart ? (trail == 0u ? BVH_EMPTY : 0u) : top.x;
+    level = restart ? BVH_ROOT_LEVEL : pop ? (trail & (0u - trail)) >> 1u : leaf ? level : level >> 1u;
+    // The next triangle of a leaf: one fewer left, one further on.
+    uint next = leaf ? reference - (1u << BVH_COUNT_SHIFT) + 1u : second ? bits1.w : bits0.w;
+    uint other = second ? bits0.w : bits1.w;
+    reference = pop ? popped : next;
+    uint fifth = below.x;
+    below = push ? uvec4(top.w, below.xyz) : pop ? uvec4(below.yzw, BVH_EMPTY) : below;
+    top = push ? uvec4(other, top.xyz) : pop ? uvec4(top.yzw, fifth) : top;
+    if (any_hit && hit.triangle != NO_TRIANGLE) reference = BVH_EMPTY;
   }
   if (step == TRAVERSAL_LIMIT) atomicAdd(counters[COUNTER_TRAVERSAL_LIMIT], 1u);
   return hit;

@@ -43,6 +43,15 @@ double half_area(const Box& box) {
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
+glm::vec3 centre(const Box& box) { return 0.5f * box.min + 0.5f * box.max; }
+
+// Of a box around this centre that contains `box`, with the margin that BvhNode promises.
+glm::vec3 half_size(const Box& box, const glm::vec3& centre) {
+  const glm::dvec3 middle(centre);
+  const glm::dvec3 half = glm::max(glm::dvec3(box.max) - middle, middle - glm::dvec3(box.min));
+  return glm::vec3(half * (1 + std::ldexp(1.0, -19) + std::ldexp(1.0, -22)));  // the last for rounding to float
+}
+
 // Writes the tree depth first. Depth is bounded by the builders, so recursion is.
 class Flattener {
  public:
@@ -66,8 +75,10 @@ class Flattener {
   }
 
   static BvhNode record(const Box& box0, uint32_t reference0, const Box& box1, uint32_t reference1) {
-    return {glm::vec4(box0.min, std::bit_cast<float>(reference0)),
-            glm::vec4(box0.max, std::bit_cast<float>(reference1)), glm::vec4(box1.min, 0), glm::vec4(box1.max, 0)};
+    const glm::vec3 centre0 = centre(box0), centre1 = centre(box1);
+    return {glm::vec4(centre0, std::bit_cast<float>(reference0)),
+            glm::vec4(half_size(box0, centre0), std::bit_cast<float>(reference1)), glm::vec4(centre1, 0),
+            glm::vec4(half_size(box1, centre1), 0)};
   }
 
   double area() const { return area_; }
@@ -102,8 +113,7 @@ Bvh build_bvh(std::span<const Triangle> triangles, uint32_t max_depth) {
     return bvh;
   }
   TreeNodes nodes;
-  const TreeNode* root = build_sah_tree(boxes, max_depth, nodes);
-  if (!root) root = build_median_tree(boxes, nodes);
+  const TreeNode* root = build_tree(boxes, max_depth, nodes);
 
   bvh.order.reserve(triangles.size());
   Flattener flattener(bvh);

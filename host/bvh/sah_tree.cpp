@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "host/bvh/tree.h"
@@ -38,17 +39,17 @@ class Binning {
  public:
   Binning(TreeNodes& nodes, uint32_t max_depth) : nodes_(nodes), max_depth_(max_depth) {}
 
-  // Null where the tree would be deeper than allowed.
   const TreeNode* build(std::span<Item> items, const Box& box, uint32_t depth) {
     const Places places(items);
     const Split split = best_split(items, places);
     // A step of the tracers fetches one record, node or triangle: both cost 1.
     if (items.size() <= shared::BVH_MAX_LEAF &&
-        static_cast<double>(items.size()) * half_area(box) <= half_area(box) + split.cost)
+        (depth > max_depth_ || static_cast<double>(items.size()) * half_area(box) <= half_area(box) + split.cost))
       return leaf(items);
-    if (depth > max_depth_) return nullptr;
     auto middle = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
-    if (split.cost < std::numeric_limits<double>::infinity())
+    if (!fits_below(items.size(), depth))
+      halve(items, middle);
+    else if (split.cost < std::numeric_limits<double>::infinity())
       middle = std::partition(items.begin(), items.end(),
                               [&](const Item& i) { return places.bin(i)[split.axis] <= split.last; });
     TreeNode* const node = nodes_.make();
@@ -56,13 +57,28 @@ class Binning {
     for (size_t side = 0; side < 2; ++side) {
       for (const Item& i : halves[side]) node->box[side].grow(i.box);
       node->child[side] = build(halves[side], node->box[side], depth + 1);
-      if (!node->child[side]) return nullptr;
     }
     return node;
   }
 
  private:
   static constexpr int most_bins = 16;
+
+  // Whether the levels below `depth` hold so many, however unevenly they are split here.
+  bool fits_below(size_t items, uint32_t depth) const {
+    return depth <= max_depth_ && items <= size_t{shared::BVH_MAX_LEAF} << (max_depth_ - depth);
+  }
+
+  static void halve(std::span<Item> items, std::span<Item>::iterator middle) {
+    Box centres;
+    for (const Item& i : items) centres.grow({i.centre(), i.centre()});
+    const glm::vec3 size = centres.max - centres.min;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    // The index breaks ties, so that coincident triangles split alike everywhere.
+    std::nth_element(items.begin(), middle, items.end(), [&](const Item& a, const Item& b) {
+      return std::pair(a.centre()[axis], a.triangle) < std::pair(b.centre()[axis], b.triangle);
+    });
+  }
 
   // Which bin of each axis an item's centre falls into.
   struct Places {
@@ -122,7 +138,7 @@ class Binning {
 
 }  // namespace
 
-const TreeNode* build_sah_tree(std::span<const Box> boxes, uint32_t max_depth, TreeNodes& nodes) {
+const TreeNode* build_tree(std::span<const Box> boxes, uint32_t max_depth, TreeNodes& nodes) {
   std::vector<Item> items;
   items.reserve(boxes.size());
   Box all;

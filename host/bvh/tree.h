@@ -1,4 +1,4 @@
-// The hierarchy before it is flattened, and the two ways to build it.
+// The hierarchy before it is flattened.
 #pragma once
 
 #include <array>
@@ -38,10 +38,9 @@ class TreeNodes {
   std::deque<TreeNode> nodes_;
 };
 
-// Leaves of at most BVH_MAX_LEAF triangles, at most max_depth inner nodes deep. boxes: one a triangle, at least one.
-// By surface-area heuristic; null where that would be deeper.
-const TreeNode* build_sah_tree(std::span<const Box> boxes, uint32_t max_depth, TreeNodes& nodes);
-// By halving along the longest side of the centres: the shallowest tree there is.
-const TreeNode* build_median_tree(std::span<const Box> boxes, TreeNodes& nodes);
+// By surface-area heuristic, in leaves of at most BVH_MAX_LEAF triangles, at most max_depth inner nodes deep: where
+// levels get scarce, by halving along the longest side of the centres. boxes: one a triangle, at least one, and at most
+// BVH_MAX_LEAF << max_depth, else it is as deep as halving makes it.
+const TreeNode* build_tree(std::span<const Box> boxes, uint32_t max_depth, TreeNodes& nodes);
 
 }  // namespace meniscal

@@ -189,7 +189,6 @@ const uint GRID_LEVELS = 8u;
 const uint GATHER_ROUND = 32768u;
 // Steps of one ray through the BVH; more count as an error, never pass silently.
 const uint TRAVERSAL_LIMIT = 4096u;
-const uint TRAVERSAL_STACK = 64u;
 
 // Counters of what must never happen or must be known.
 const uint COUNTER_TRAVERSAL_LIMIT = 0u, COUNTER_MOST_CANDIDATES = 1u, COUNTER_RAYS = 2u, COUNTERS = 4u;
