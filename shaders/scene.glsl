@@ -106,7 +106,7 @@ uint rays_traced = 0u;  // by this invocation; added to the counter at its end
 
 // Closest hit of origin + t direction (a unit vector) with 0 < t < t_max, leaving out triangle `skip` (the one the ray starts on).
 // With any_hit the first one found. One loop over nodes and triangles alike: each turn fetches one 64-byte record and does both tests,
-// since software drivers run both sides of a branch anyway. The stack is eight entries in registers, whose shifting costs less than
+// since software drivers run both sides of a branch anyway. The stack is four entries in registers, whose shifting costs less than
 // memory at a computed index; it forgets the oldest. What it forgot is found again from the root by the trail, with a bit for each
 // level of the tree that says whether the last child there to visit was entered (Laine, "Restart Trail for Stackless BVH Traversal",
 // HPG 2010).
@@ -116,7 +116,7 @@ Hit intersect(vec3 origin, vec3 direction, float t_max, uint skip, bool any_hit)
   RayFrame frame = make_frame(origin, direction);
   vec3 safe = mix(direction, vec3(1e-12), lessThan(abs(direction), vec3(1e-12)));
   vec3 inverse = 1.0 / safe;
-  uvec4 top = uvec4(BVH_EMPTY), below = uvec4(BVH_EMPTY);
+  uvec4 top = uvec4(BVH_EMPTY);
   uint reference = 0u, trail = 0u, level = BVH_ROOT_LEVEL, step = 0u;
   for (; step < TRAVERSAL_LIMIT && reference != BVH_EMPTY; ++step) {
     bool leaf = (reference & BVH_LEAF) != 0u;
@@ -145,9 +145,7 @@ Hit intersect(vec3 origin, vec3 direction, float t_max, uint skip, bool any_hit)
     uint next = leaf ? reference - (1u << BVH_COUNT_SHIFT) + 1u : second ? bits1.w : bits0.w;
     uint other = second ? bits0.w : bits1.w;
     reference = pop ? popped : next;
-    uint fifth = below.x;
-    below = push ? uvec4(top.w, below.xyz) : pop ? uvec4(below.yzw, BVH_EMPTY) : below;
-    top = push ? uvec4(other, top.xyz) : pop ? uvec4(top.yzw, fifth) : top;
+    top = push ? uvec4(other, top.xyz) : pop ? uvec4(top.yzw, BVH_EMPTY) : top;
     if (any_hit && hit.triangle != NO_TRIANGLE) reference = BVH_EMPTY;
   }
   if (step == TRAVERSAL_LIMIT) atomicAdd(counters[COUNTER_TRAVERSAL_LIMIT], 1u);
