@@ -1,0 +1,40 @@
+// Generated scenes of a liquid and solids, each with the topology that its surface must have.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "meniscus/meniscus.h"
+
+namespace shapes {
+
+// What is counted on the surface, menisci included. `loops` are those of its border: the liquid's own and one round
+// each hole.
+struct Expected {
+  std::size_t contours, open, components, loops;
+  long genus = 0;
+  std::vector<std::string> warnings{};  // a part of each; no other warning may come
+};
+
+struct Scene {
+  meniscus::Liquid liquid;
+  std::vector<meniscus::Solid> solids;
+};
+
+// A row of the table: the scene is made when it is asked for.
+struct Case {
+  std::string name;
+  std::function<Scene()> make;
+  Expected expected;
+  bool ill = false;   // solids that enclose no volume: which side is liquid has no answer to compare with
+  bool slow = false;  // for the sweep alone
+};
+const std::vector<Case>& cases();
+
+// Everything larger by the factor, the capillary length too.
+Scene scaled(Scene scene, double factor);
+// As after a stay at a far place: coordinates rounded as they are there.
+Scene rounded_at(Scene scene, const glm::dvec3& place);
+
+}  // namespace shapes
