@@ -22,9 +22,10 @@ struct Candidate {
 };
 
 // The directions in which one node sends its points.
-std::vector<std::pair<int, Foot>> directions(const Node& node, std::size_t line) {
+std::vector<std::pair<int, Foot>> directions(const ContactLine& of, std::size_t line, std::size_t i) {
+  const Node& node = of.nodes[i];
   Foot foot;
-  foot.line = line;
+  foot.line = line, foot.node = i;
   const double turn = turn_between(node.before.direction, node.after.direction);
   if (!node.joint || turn >= 0) {
     foot.from = foot.to = &node.contact, foot.direction = node.contact.direction;
@@ -122,7 +123,7 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
     const std::vector<double> layers = gradings[l].layers(extent);
     for (std::size_t i = 0; i < lines[l].nodes.size(); ++i) {
       const Node& node = lines[l].nodes[i];
-      for (auto& [rank, foot] : directions(node, l)) {
+      for (auto& [rank, foot] : directions(lines[l], l, i)) {
         for (const double d : layers) {
           foot.distance = d;
           const glm::dvec2 x = planar(node.position) + d * foot.direction;

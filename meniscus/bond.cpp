@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "meniscus/predicates.h"
 #include "meniscus/profile.h"
@@ -11,76 +12,129 @@ namespace {
 
 constexpr double kFarthest = 0.8;  // slide, in sweep lengths: beyond, the band would be squeezed to nothing
 
-// The contour normal as a direction in space, tangent to the liquid.
-glm::dvec3 in_space(const glm::dvec2& direction, const glm::dvec3& liquid_normal) {
-  const glm::dvec3 d = lifted(direction, 0);
-  return glm::normalize(d - glm::dot(d, liquid_normal) * liquid_normal);
+// A vector of the plane as the one tangent to the liquid above it.
+glm::dvec3 in_space(const glm::dvec2& v, const glm::dvec3& up) { return lifted(v, -glm::dot(v, planar(up)) / up.y); }
+
+double dihedral(const glm::dvec3& solid_normal, const glm::dvec3& up) {
+  return std::atan2(glm::length(glm::cross(solid_normal, up)), glm::dot(solid_normal, up));
 }
 
-double dihedral(const Side& side, const glm::dvec3& up) {
-  return std::atan2(glm::length(glm::cross(side.solid_normal, up)), glm::dot(side.solid_normal, up));
-}
-
-// The direction up + lean in which the solid goes on from the contour: that of a tilted rod's axis, or of a tilted
-// box's edges, and straight up on spheres and cones. Least squares of normal . (up + lean) = 0 over the line; only
+// The direction +Y + lean in which the solid goes on from the contour: that of a tilted rod's axis, or of a tilted
+// box's edges, and straight up on spheres and cones. Least squares of normal . (Y + lean) = 0 over the line; only
 // across a flat wall.
-glm::dvec2 find_lean(const ContactLine& line) {
+glm::dvec3 find_axis(const ContactLine& line) {
+  const glm::dvec3 straight(0, 1, 0);
   glm::dmat2 square(0);
   glm::dvec2 side(0);
   for (std::size_t i = 0; i < line.segments(); ++i) {
     const double length = glm::distance(line.nodes[i].position, line.next(i).position);
-    for (const auto& [normal, up] : {std::pair(line.nodes[i].after.solid_normal, line.nodes[i].liquid_normal),
-                                     std::pair(line.next(i).before.solid_normal, line.next(i).liquid_normal)}) {
+    for (const glm::dvec3& normal : {line.nodes[i].after.solid_normal, line.next(i).before.solid_normal}) {
       const glm::dvec2 n = planar(normal);
       square += length * glm::outerProduct(n, n);
-      side -= length * glm::dot(normal, up) * n;
+      side -= length * normal.y * n;
     }
   }
   const double least = 1e-6 * (square[0][0] + square[1][1]);
-  if (least == 0) return glm::dvec2(0);
-  return glm::inverse(square + glm::dmat2(least)) * side;
+  if (least == 0) return straight;
+  return straight + lifted(glm::inverse(square + glm::dmat2(least)) * side, 0);
 }
 
-// The node's rise and slide: from where `lean` and `aside` (metres, at the full height) take it, along the contour
-// normal to the solid. Returns whether the line had to be pinned here.
-bool bond_side(Side& side, const Node& node, const Body& body, double sweep, double height, const glm::dvec2& lean,
-               const glm::dvec2& aside) {
-  side.rise = 0, side.slide = glm::dvec2(0);
-  if (height == 0) return false;
-  const glm::dvec3 up = node.liquid_normal, out = in_space(side.direction, up);
-  const glm::dvec3 rail = up + lifted(lean, 0);
-  const double slant = -glm::dot(side.solid_normal, rail) / std::max(glm::dot(side.solid_normal, out), 1e-3);
-  const auto contact = [&](double h) -> std::optional<glm::dvec3> {
-    const glm::dvec3 origin = node.position + h * rail + lifted(h / height * aside, 0);
-    const double expected = h * slant, reach = std::min(1.5 * std::abs(expected) + std::abs(h), sweep) + 1e-3 * sweep;
-    std::optional<glm::dvec3> hit = shoot(body, origin, out, expected, reach);
-    const bool beside_joint = aside != glm::dvec2(0);
+// How the contact line climbs (or sinks) from one node: the rail says where it would go if the solid went on as a
+// whole, rays along the contour normal find the solid beside it. Heights are along `up`.
+struct Climb {
+  const Node& node;
+  const Body& body;
+  double sweep, height;
+  glm::dvec3 up, out, rail;  // the rail's component along up is 1
+  glm::dvec3 aside;          // at the full height
+  bool must_lean;            // the liquid may stand only where the solid's slant asks for this sense of the meniscus
+
+  // The contact at a part of the height, found from the one at a smaller part.
+  std::optional<Hit> contact(double part, const Hit& from, double from_part) const {
+    const glm::dvec3 origin = node.position + part * (height * rail + aside);
+    const glm::dvec3 before = node.position + from_part * (height * rail + aside);
+    // As far along the ray as the facet would be if it went on.
+    const double was = glm::dot(from.position - before, out);
+    const double expected = glm::dot(from.position - origin, from.facet) / std::max(glm::dot(from.facet, out), 1e-3);
+    const double step = std::abs((part - from_part) * height);
+    const double reach = std::min(1.5 * std::abs(expected) + std::abs(part * height), sweep) + 1e-3 * sweep;
+    std::optional<Hit> hit = shoot(body, origin, out, expected, reach);
+    const bool beside_joint = aside != glm::dvec3(0);
     if (node.joint || (!hit && beside_joint)) {
       // Off the ends of a slanted edge the ray misses; at a joint that recedes, the edge is what is nearest.
       const std::optional<Nearest> nearest = nearest_at_height(body, origin, up, out, reach);
-      if (nearest && (!hit || !nearest->origin_inside)) hit = nearest->position;
+      if (nearest && (!hit || !nearest->origin_inside)) hit = nearest->hit;
     }
-    if (hit && glm::distance(*hit, node.position + h * up) > kFarthest * sweep) hit.reset();
+    if (!hit) return {};
+    if (glm::distance(hit->position, node.position + part * height * up) > kFarthest * sweep) return {};
+    if (!node.joint && !beside_joint) {
+      const double is = glm::dot(hit->position - origin, out);
+      if (std::abs(is - was) > 2 * step + 1.5 * std::abs(expected - was) + 1e-3 * sweep) return {};  // another part
+      if (must_lean && !leans(hit->normal)) return {};
+    }
     return hit;
-  };
-  std::optional<glm::dvec3> at = contact(height);
-  const bool pinned = !at;
-  if (pinned) {
-    double held = 0, lost = 1;  // bisection for the edge, in parts of the height
-    at = node.position;
-    for (int i = 0; i < 50; ++i) {
-      const double middle = 0.5 * (held + lost);
-      if (const auto hit = contact(middle * height)) {
-        held = middle, at = hit;
+  }
+
+  // Does the solid slant there so that the liquid goes on to rise (to sink, where it sinks)?
+  bool leans(const glm::dvec3& solid_normal) const {
+    constexpr double kLevel = 0.087;  // 5 degrees: on a solid as good as level nothing climbs
+    const double beta = dihedral(solid_normal, up);
+    return height > 0 ? beta > std::max(body.contact_angle, kLevel)
+                      : beta < std::min(body.contact_angle, glm::pi<double>() - kLevel);
+  }
+};
+
+// Climbs as far as the solid allows; returns the part of the height.
+double climb_from(const Climb& climb, Hit& at) {
+  constexpr int kSteps = 8;  // few enough to be quick, enough to stay on the part of the solid where it starts
+  double held = 0;
+  for (int k = 1; k <= kSteps; ++k) {
+    double next = static_cast<double>(k) / kSteps;
+    if (const std::optional<Hit> hit = climb.contact(next, at, held)) {
+      held = next, at = *hit;
+      continue;
+    }
+    for (int i = 0; i < 40; ++i) {  // bisection for the edge
+      const double middle = 0.5 * (held + next);
+      if (const std::optional<Hit> hit = climb.contact(middle, at, held)) {
+        held = middle, at = *hit;
       } else {
-        lost = middle;
+        next = middle;
       }
     }
-    height *= held;
+    break;
   }
-  side.rise = height;
-  side.slide = planar(*at - node.position - height * up);
-  return pinned;
+  return held;
+}
+
+// The node's rise and slide: from where the axis and `aside` (metres, at the full height) take it, along the contour
+// normal to the solid. Returns whether the line had to be pinned here.
+bool bond_side(Side& side, Node& node, const Body& body, double sweep, double height, const glm::dvec3& axis,
+               const glm::dvec2& aside) {
+  side.rise = 0, side.slide = glm::dvec2(0);
+  if (height == 0) return false;
+  const glm::dvec3 up = node.liquid_normal;
+  Climb climb{node,
+              body,
+              sweep,
+              height,
+              up,
+              glm::normalize(in_space(side.direction, up)),
+              axis / glm::dot(axis, up),
+              in_space(aside, up),
+              false};
+  const Hit level{node.position, side.solid_normal, side.solid_normal};
+  Hit at = level;
+  double held = climb_from(climb, at);
+  if (held < 1) {
+    climb.must_lean = climb.leans(side.solid_normal);
+    at = level, held = climb_from(climb, at);
+    node.room *= held;
+  }
+  const glm::dvec3 way = at.position - node.position;
+  side.rise = held * height;
+  side.slide = planar(way - side.rise * up);
+  return held < 1;
 }
 
 // Calls visit(node, weight) for the nodes from joint `start` on, weights falling from 1 to 0 within `length` or half
@@ -110,91 +164,32 @@ void fade_from_joint(const ContactLine& line, std::size_t start, bool forward, d
   }
 }
 
-}  // namespace
-
-std::optional<glm::dvec3> shoot(const Body& body, const glm::dvec3& origin, const glm::dvec3& direction,
-                                double expected, double reach) {
-  Box box;
-  box.add(origin - reach * direction);
-  box.add(origin + reach * direction);
-  std::optional<double> best;
-  body.tree.overlapping(box.grown(1e-9 * reach), [&](std::uint32_t t) {
-    const glm::dvec3 n = body.mesh.area_normal(t);
-    const double facing = glm::dot(n, direction);
-    if (!(facing > 1e-9 * glm::length(n))) return;
-    const double s = glm::dot(body.mesh.corner(t, 0) - origin, n) / facing;
-    if (!(std::abs(s) <= reach)) return;
-    const glm::dvec3 p = origin + s * direction;
-    constexpr double kEdge = -1e-9;  // in parts of the facet
-    for (int i = 0; i < 3; ++i) {
-      const glm::dvec3 a = body.mesh.corner(t, i), b = body.mesh.corner(t, (i + 1) % 3);
-      if (glm::dot(glm::cross(b - a, p - a), n) < kEdge * glm::dot(n, n)) return;
-    }
-    if (!best || std::abs(s - expected) < std::abs(*best - expected)) best = s;
-  });
-  if (!best) return {};
-  return origin + *best * direction;
+double wanted_rise(const Node& node, const Side& side, const Body& body, const Liquid& liquid) {
+  return node.room * rise(liquid, body.contact_angle, dihedral(side.solid_normal, node.liquid_normal));
 }
 
-std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& origin, const glm::dvec3& up,
-                                         const glm::dvec3& direction, double reach) {
-  Box box;
-  box.add(origin);
-  std::optional<Nearest> best;
-  body.tree.overlapping(box.grown(reach), [&](std::uint32_t t) {
-    const glm::dvec3 n = body.mesh.area_normal(t);
-    if (!(glm::dot(n, direction) > 1e-9 * glm::length(n))) return;
-    std::vector<glm::dvec3> ends;  // of the facet's segment in the plane
-    for (int i = 0; i < 3; ++i) {
-      const glm::dvec3 a = body.mesh.corner(t, i), b = body.mesh.corner(t, (i + 1) % 3);
-      const double da = glm::dot(a - origin, up), db = glm::dot(b - origin, up);
-      if ((da < 0) != (db < 0)) ends.push_back(a + da / (da - db) * (b - a));
-    }
-    if (ends.size() < 2) return;
-    const glm::dvec3 e = ends[1] - ends[0];
-    const double square = glm::dot(e, e);
-    const double along = square > 0 ? glm::clamp(glm::dot(origin - ends[0], e) / square, 0.0, 1.0) : 0;
-    const glm::dvec3 p = ends[0] + along * e;
-    const double distance = glm::distance(p, origin);
-    if (distance > reach || (best && distance >= glm::distance(best->position, origin))) return;
-    best = {p, glm::dot(origin - p, n) < 0};
-  });
-  return best;
-}
-
-void bond(ContactLine& line, const Body& body, const Liquid& liquid, std::vector<std::string>& warnings) {
-  const double sweep = sweep_length(liquid);
-  const auto height = [&](const Node& node, const Side& side) {
-    return rise(liquid, body.contact_angle, dihedral(side, node.liquid_normal));
-  };
-  double highest = 0;
-  for (const Node& node : line.nodes) {
-    highest = std::max({highest, std::abs(height(node, node.before)), std::abs(height(node, node.after))});
-  }
-  if (highest <= 1e-12 * liquid.capillary_length) {
-    line.sweep = 0;
-    return;
-  }
-  line.sweep = sweep;
-
+// Bonds every node, with the axis along which the solid is taken to go on. Returns how many are pinned.
+std::size_t bond_along(const glm::dvec3& axis, ContactLine& line, const Body& body, const Liquid& liquid) {
   const std::size_t n = line.nodes.size();
-  const glm::dvec2 lean = find_lean(line);
+  const double sweep = line.sweep;
   std::vector<double> heights(n);
   std::vector<glm::dvec2> aside(n, glm::dvec2(0));
-  for (std::size_t i = 0; i < n; ++i) heights[i] = height(line.nodes[i], line.nodes[i].contact);
+  for (std::size_t i = 0; i < n; ++i) heights[i] = wanted_rise(line.nodes[i], line.nodes[i].contact, body, liquid);
   std::size_t pinned = 0;
   for (std::size_t i = 0; i < n; ++i) {  // joints first: what they do fades along the line
     Node& node = line.nodes[i];
     if (!node.joint) continue;
-    const double before = height(node, node.before), after = height(node, node.after);
+    const double before = wanted_rise(node, node.before, body, liquid),
+                 after = wanted_rise(node, node.after, body, liquid);
     heights[i] = 0.5 * (before + after);
-    pinned += bond_side(node.contact, node, body, sweep, heights[i], lean, glm::dvec2(0));
+    pinned += bond_side(node.contact, node, body, sweep, heights[i], axis, glm::dvec2(0));
     for (Side* side : {&node.before, &node.after}) side->rise = node.contact.rise, side->slide = node.contact.slide;
     for (const bool forward : {false, true}) {
       const Side& side = forward ? node.after : node.before;
       const double step = heights[i] - (forward ? after : before);
       const glm::dvec2 along{side.direction.y, -side.direction.x};
-      const glm::dvec2 shift = glm::dot(side.slide - side.rise * lean, along) * along;
+      const glm::dvec2 rail = planar(axis / glm::dot(axis, node.liquid_normal) - node.liquid_normal);
+      const glm::dvec2 shift = glm::dot(side.slide - side.rise * rail, along) * along;
       fade_from_joint(line, i, forward, std::max(0.25 * sweep, 3 * glm::length(shift)), glm::length(shift),
                       [&](std::size_t k, double weight) {
                         heights[k] += weight * step;
@@ -205,14 +200,56 @@ void bond(ContactLine& line, const Body& body, const Liquid& liquid, std::vector
   for (std::size_t i = 0; i < n; ++i) {
     Node& node = line.nodes[i];
     if (node.joint) continue;
-    pinned += bond_side(node.contact, node, body, sweep, heights[i], lean, aside[i]);
+    pinned += bond_side(node.contact, node, body, sweep, heights[i], axis, aside[i]);
     node.before = node.after = node.contact;
   }
-  if (pinned > 0) {
-    warnings.push_back("solid '" + body.name + "': the contact line is pinned along " +
-                       std::to_string((100 * pinned + n - 1) / n) +
-                       " % of its length: the solid ends before the meniscus does, or slants too much for it");
+  return pinned;
+}
+
+// Segments of the raised line that run backward or are as good as gone: where its nodes have not kept their order.
+std::size_t count_disorder(const ContactLine& line) {
+  constexpr double kLeast = 0.1;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < line.segments(); ++i) {
+    const Node &a = line.nodes[i], &b = line.next(i);
+    const glm::dvec2 was = planar(b.position) - planar(a.position), is = was + b.contact.slide - a.contact.slide;
+    count += glm::dot(was, is) < kLeast * glm::dot(was, was);
   }
+  return count;
+}
+
+}  // namespace
+
+std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid) {
+  const double sweep = sweep_length(liquid);
+  double highest = 0;
+  for (const Node& node : line.nodes) {
+    for (const Side* side : {&node.before, &node.after}) {
+      highest = std::max(highest, std::abs(wanted_rise(node, *side, body, liquid)));
+    }
+  }
+  if (highest <= 1e-12 * liquid.capillary_length) {
+    line.sweep = 0;
+    return 0;
+  }
+  line.sweep = sweep;
+  ContactLine upright = line;
+  std::size_t pinned = bond_along(find_axis(line), line, body, liquid);
+  if (const std::size_t disorder =
+          count_disorder(line)) {  // no rod: a tilted ring, say, which curves away from the axis
+    const std::size_t otherwise = bond_along({0, 1, 0}, upright, body, liquid);
+    if (count_disorder(upright) < disorder) {
+      std::copy(upright.nodes.begin(), upright.nodes.end(), line.nodes.begin());  // in place: feet point to them
+      pinned = otherwise;
+    }
+  }
+  constexpr double kLeastReach = 2;  // slides: a band that gives way is squeezed to half its width, not more
+  for (Node& node : line.nodes) {
+    for (Side* side : {&node.before, &node.after, &node.contact}) {
+      side->reach = std::min(std::max(node.free, kLeastReach * glm::length(side->slide)), sweep);
+    }
+  }
+  return pinned;
 }
 
 }  // namespace meniscus

@@ -185,7 +185,7 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
     const bool has_before = contour.closed || i > 0, has_after = contour.closed || i + 1 < m;
     const glm::dvec2 in = has_before ? along(nodes[(i + m - 1) % m], p) : along(p, nodes[i + 1]);
     const glm::dvec2 out = has_after ? along(p, nodes[(i + 1) % m]) : in;
-    Node node{p.position, p.liquid_normal, {}, {}, {}, is_joint(p), p.border};
+    Node node{p.position, p.liquid_normal, {}, {}, {}, is_joint(p), 1e300, 1, p.border};
     const glm::dvec2 mean = left_of(glm::normalize(in) + glm::normalize(out));
     const auto side = [&](const glm::dvec3& normal, const glm::dvec2& left) {
       Side s{};
@@ -208,13 +208,14 @@ void differentiate(ContactLine& line) {
     glm::dvec2 direction;
     double rise;
     glm::dvec2 slide;
+    double reach;
   };
   std::vector<Change> change;
   for (std::size_t i = 0; i < line.segments(); ++i) {
     const Node& a = line.nodes[i];
     const Node& b = line.next(i);
     change.push_back({glm::distance(planar(a.position), planar(b.position)), b.before.direction - a.after.direction,
-                      b.before.rise - a.after.rise, b.before.slide - a.after.slide});
+                      b.before.rise - a.after.rise, b.before.slide - a.after.slide, b.before.reach - a.after.reach});
   }
   const auto set = [](Side& side, const Change& c) {
     if (c.length == 0) return;
@@ -222,13 +223,15 @@ void differentiate(ContactLine& line) {
     side.curvature = glm::dot(c.direction, forward) / c.length;
     side.rise_slope = c.rise / c.length;
     side.slide_slope = c.slide / c.length;
+    side.reach_slope = c.reach / c.length;
   };
   for (std::size_t i = 0; i < n; ++i) {
     Node& node = line.nodes[i];
     const bool has_in = line.closed || i > 0, has_out = line.closed || i + 1 < n;
     const Change in = has_in ? change[(i + change.size() - 1) % change.size()] : change[i];
     const Change out = has_out ? change[i] : in;
-    const Change both{in.length + out.length, in.direction + out.direction, in.rise + out.rise, in.slide + out.slide};
+    const Change both{in.length + out.length, in.direction + out.direction, in.rise + out.rise, in.slide + out.slide,
+                      in.reach + out.reach};
     set(node.before, node.joint ? in : both);
     set(node.after, node.joint ? out : both);
     set(node.contact, both);

@@ -16,8 +16,10 @@ struct Side {
   double curvature = 0;     // of the contour's normals along it, 1/m; positive round a post
   double rise = 0;          // of the contact line, along the liquid's normal; metres
   glm::dvec2 slide{0};      // of the contact line, in the plane, so that it lies on the solid; metres
+  double reach = 0;         // distance over which the slide fades, metres
   double rise_slope = 0;    // their derivatives along the contour
   glm::dvec2 slide_slope{0};
+  double reach_slope = 0;
 };
 
 struct Node {
@@ -26,6 +28,8 @@ struct Node {
   Side before, after;  // on the way that ends and the way that starts here
   Side contact;        // of the contact vertex itself: between the two
   bool joint = false;
+  double free = 1e300;         // distance at which another foot becomes nearer, metres
+  double room = 1;             // part of its height for which the band has room
   std::optional<Edge> border;  // as in ContourPoint
 };
 

@@ -61,7 +61,7 @@ Foot Field::foot_on(const Element& element, const glm::dvec2& x) const {
   const Node& node = line.nodes[element.node];
   const glm::dvec2 q = x - planar(node.position);
   Foot foot;
-  foot.line = element.line;
+  foot.line = element.line, foot.node = element.node;
   if (element.kind == Kind::segment) {
     const Node& next = line.next(element.node);
     const glm::dvec2 e = planar(next.position) - planar(node.position);
@@ -95,6 +95,18 @@ Foot Field::foot_on(const Element& element, const glm::dvec2& x) const {
   }
   foot.direction = direction, foot.distance = distance;
   return foot;
+}
+
+double Field::free_length(const glm::dvec2& from, const glm::dvec2& direction, double limit) const {
+  constexpr double kNearer = 1 - 1e-6;
+  const auto own = [&](double d) { return !foot(from + d * direction, kNearer * d).exists(); };
+  if (own(limit)) return limit;
+  double low = 0, high = limit;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (low + high);
+    (own(middle) ? low : high) = middle;
+  }
+  return low;
 }
 
 Foot Field::foot(const glm::dvec2& x, double limit) const {

@@ -12,7 +12,7 @@ namespace meniscus {
 // The foot of a point x: x = (point of the contact line) + distance * direction. `direction` is interpolated between
 // the contour normals of two sides of the line: along a segment, or over the fan at a convex joint.
 struct Foot {
-  std::size_t line = 0;
+  std::size_t line = 0, node = 0;  // a joint, an end, or the first of a segment's two
   const Side *from = nullptr, *to = nullptr;
   double t = 0;    // weight of `to`
   double fan = 0;  // angle between the two sides where they meet in one joint; 0 on a segment
@@ -29,6 +29,8 @@ class Field {
 
   // The nearest foot, among those no farther than `limit`. Points inside solids have none, or that of another solid.
   Foot foot(const glm::dvec2& x, double limit = std::numeric_limits<double>::infinity()) const;
+  // How far one can go from a point of a line along its normal, up to `limit`, before another foot is nearer.
+  double free_length(const glm::dvec2& from, const glm::dvec2& direction, double limit) const;
 
  private:
   enum class Kind { segment, fan, end };

@@ -12,15 +12,16 @@ Lifted lift(const Foot& foot, double sweep, const glm::dvec3& base, const glm::d
   const auto between = [&](auto Side::*value) {
     return foot.from->*value + foot.t * (foot.to->*value - foot.from->*value);
   };
-  const auto in_liquid = [&](const glm::dvec2& v) {  // a vector of the plane, turned into the liquid's tangent plane
-    const glm::dvec3 w = lifted(v, 0);
-    return w - glm::dot(w, up) * up;
+  const auto in_liquid = [&](const glm::dvec2& v) {  // the vector tangent to the liquid that is v in the plane
+    return lifted(v, -glm::dot(v, planar(up)) / up.y);
   };
   const double d = foot.distance / sweep;
   const double rise = between(&Side::rise), height = profile(d), height_slope = profile_slope(d) / sweep;
   const glm::dvec3 slide = in_liquid(between(&Side::slide));
   const glm::dvec3 out = glm::normalize(in_liquid(foot.direction)), forward = glm::cross(out, up);
-  const double fade = 1 - d, fade_slope = -1 / sweep;
+  const double reach = between(&Side::reach);
+  const bool slides = foot.distance < reach;
+  const double fade = slides ? 1 - foot.distance / reach : 0, fade_slope = slides ? -1 / reach : 0;
 
   // Derivatives of the position along the contour (per metre of it; in a fan, per metre of arc) and across it.
   const double arc = std::max(foot.distance, 1e-6 * sweep);
@@ -30,7 +31,9 @@ Lifted lift(const Foot& foot, double sweep, const glm::dvec3& base, const glm::d
       foot.fan > 0 ? (foot.to->rise - foot.from->rise) / (foot.fan * arc) : between(&Side::rise_slope);
   const glm::dvec2 slide_slope =
       foot.fan > 0 ? (foot.to->slide - foot.from->slide) / (foot.fan * arc) : between(&Side::slide_slope);
-  const glm::dvec3 along = stretch * forward + fade * in_liquid(slide_slope) + rise_slope * height * up;
+  const double fade_along = slides && foot.fan == 0 ? foot.distance / (reach * reach) * between(&Side::reach_slope) : 0;
+  const glm::dvec3 along =
+      stretch * forward + fade * in_liquid(slide_slope) + fade_along * slide + rise_slope * height * up;
   const glm::dvec3 across = out + fade_slope * slide + rise * height_slope * up;
   return {base + rise * height * up + fade * slide, glm::normalize(glm::cross(along, across))};
 }

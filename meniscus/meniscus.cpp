@@ -103,6 +103,19 @@ Contact describe(const ContactLine& line, const Body& body) {
   return contact;
 }
 
+void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
+  const Field field(lines);
+  for (ContactLine& line : lines) {
+    for (Node& node : line.nodes) {
+      for (const Side* side : {&node.contact, &node.before, &node.after}) {
+        if (side != &node.contact && !node.joint) continue;
+        const double limit = std::min(reach, node.free);
+        node.free = std::min(node.free, field.free_length(planar(node.position), side->direction, limit));
+      }
+    }
+  }
+}
+
 // Says what is not as it must be; a picture is still possible.
 void check(const Liquid& liquid, const Stitched& result, const std::vector<ContactLine>& lines,
            const std::vector<Body>& bodies, std::vector<std::string>& warnings) {
@@ -153,14 +166,22 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
   const Patch patch(level, surface, lines, kMargin * reach);
   const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, reach, result.warnings);
-  for (std::size_t l = 0; l < lines.size(); ++l) {
-    const Body& body = bodies[lines[l].solid];
-    lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
-    bond(lines[l], body, liquid, result.warnings);
-    differentiate(lines[l]);
+  for (std::size_t l = 0; l < lines.size(); ++l) lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
+  find_free_lengths(lines, reach);
+  std::map<std::string, Share> pinned;
+  for (ContactLine& line : lines) {
+    const Body& body = bodies[line.solid];
+    pinned[body.name].add(bond(line, body, liquid), line.nodes.size());
+    differentiate(line);
+  }
+  for (const auto& [name, share] : pinned) {
+    if (share.part == 0) continue;
+    result.warnings.push_back("solid '" + name + "': the contact line is pinned along " + share.percent() +
+                              " of its length: the solid ends before the meniscus does, or slants too much for it");
   }
   const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, result.warnings);
-  Stitched stitched = stitch(level, surface, patch, sheet, lines, bodies);
+  const Raised raised = raise(level, surface, patch, sheet, lines, bodies, liquid, result.warnings);
+  Stitched stitched = stitch(level, surface, patch, sheet, raised, bodies);
   if (!lines.empty()) check(liquid, stitched, lines, bodies, result.warnings);
 
   for (const ContactLine& line : lines) result.contacts.push_back(describe(line, bodies[line.solid]));

@@ -28,12 +28,13 @@ class Builder {
   void fill() {
     std::vector<std::vector<std::uint32_t>> nodes(lines_.size());
     for (std::size_t l = 0; l < lines_.size(); ++l) {
-      for (const Node& node : lines_[l].nodes) {
+      for (std::size_t i = 0; i < lines_[l].nodes.size(); ++i) {
+        const Node& node = lines_[l].nodes[i];
         const std::uint32_t v = add(planar(node.position));
         Sheet::Vertex& vertex = vertices_[v];
         vertex.node = &node;
         vertex.border = node.border;
-        vertex.foot = {l, &node.contact, &node.contact, 0, 0, 0, node.contact.direction};
+        vertex.foot = {l, i, &node.contact, &node.contact, 0, 0, 0, node.contact.direction};
         nodes[l].push_back(v);
         if (node.border) on_border_[*node.border].push_back(v);
       }

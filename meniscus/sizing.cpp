@@ -19,17 +19,9 @@ constexpr double kUnset = 1e300;
 
 // How far the column at this node reaches, up to `sweep`, before another foot is nearer; 0 where the liquid ends first.
 double free_length(const Node& node, const Field& field, const Patch& patch, double sweep) {
-  const auto at = [&](double d) { return planar(node.position) + d * node.contact.direction; };
-  constexpr double kNearer = 1 - 1e-6;
-  const auto own = [&](double d) { return !field.foot(at(d), kNearer * d).exists(); };
-  if (!patch.at(at(kWithinPatch * sweep))) return 0;
-  if (own(sweep)) return sweep;
-  double low = 0, high = sweep;
-  for (int i = 0; i < 12; ++i) {
-    const double middle = 0.5 * (low + high);
-    (own(middle) ? low : high) = middle;
-  }
-  return low;
+  const glm::dvec2 from = planar(node.position);
+  if (!patch.at(from + kWithinPatch * sweep * node.contact.direction)) return 0;
+  return field.free_length(from, node.contact.direction, sweep);
 }
 
 // Leaves no size larger than that of a neighbour plus the growth over the distance between them.

@@ -8,7 +8,6 @@
 
 #include "meniscus/edges.h"
 #include "meniscus/inside.h"
-#include "meniscus/lift.h"
 #include "meniscus/predicates.h"
 
 namespace meniscus {
@@ -99,15 +98,8 @@ class Assembly {
 }  // namespace
 
 Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch,
-                const Sheet& sheet, const std::vector<ContactLine>& lines, const std::vector<Body>& bodies) {
+                const Sheet& sheet, const Raised& raised, const std::vector<Body>& bodies) {
   Assembly assembly(liquid);
-  std::vector<glm::dvec3> normal_at(liquid.points.size());  // of the free surface, that of the first untouched triangle
-  for (const bool touched : {true, false}) {
-    for (auto t = surface.rbegin(); t != surface.rend(); ++t) {
-      if (patch.contains(*t) != touched) continue;
-      for (int i = 2; i >= 0; --i) normal_at[liquid.triangles[*t].points[i]] = liquid.triangles[*t].normals[i];
-    }
-  }
   std::vector<std::uint32_t> all(liquid.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
   const EdgeMap<int> uses = count_edges(liquid, all, [](std::uint32_t) { return 1; });
@@ -118,28 +110,14 @@ Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surfac
     }
   }
 
-  std::vector<bool> used(sheet.vertices.size(), false);
-  for (const glm::uvec3& t : sheet.triangles) used[t.x] = used[t.y] = used[t.z] = true;
-  std::vector<Lifted> lifted_to(sheet.vertices.size());
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
-    if (!used[i]) continue;
+    if (!raised.used[i]) continue;
     const Sheet::Vertex& vertex = sheet.vertices[i];
-    Base base;
-    if (vertex.node) {
-      base = {vertex.node->position, vertex.node->liquid_normal};
-    } else if (vertex.original) {
-      base = {liquid.points[*vertex.original], normal_at[*vertex.original]};
-    } else {
-      base = patch.clamped(vertex.x);
-    }
-    const double reach = vertex.foot.exists() ? lines[vertex.foot.line].sweep : 0;
-    lifted_to[i] = lift(vertex.foot, reach, base.position, base.normal);
-    if (vertex.original && lifted_to[i].position != base.position)
-      assembly.move(*vertex.original, lifted_to[i].position);
+    if (vertex.original) assembly.move(*vertex.original, raised.at[i].position);
     if (vertex.border) {
       const glm::dvec2 a = planar(liquid.points[vertex.border->first]),
                        b = planar(liquid.points[vertex.border->second]);
-      assembly.divided[*vertex.border].push_back({glm::dot(vertex.x - a, b - a), lifted_to[i].position});
+      assembly.divided[*vertex.border].push_back({glm::dot(vertex.x - a, b - a), raised.at[i].position});
     }
   }
   for (auto& [key, points] : assembly.divided) {
@@ -152,11 +130,11 @@ Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surfac
   }
   std::vector<std::uint32_t> index(sheet.vertices.size());
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
-    if (!used[i]) continue;
+    if (!raised.used[i]) continue;
     const Sheet::Vertex& vertex = sheet.vertices[i];
     index[i] = vertex.original && !vertex.node
-                   ? assembly.of_liquid(*vertex.original, lifted_to[i].normal)
-                   : assembly.add(lifted_to[i].position, lifted_to[i].normal,
+                   ? assembly.of_liquid(*vertex.original, raised.at[i].normal)
+                   : assembly.add(raised.at[i].position, raised.at[i].normal,
                                   vertex.node != nullptr || vertex.border.has_value() || vertex.crossing);
     if (vertex.node) assembly.result.may_end[index[i]] = true;
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "meniscus/meniscus.h"
-#include "meniscus/remesh.h"
+#include "meniscus/raise.h"
 
 namespace meniscus {
 
@@ -14,9 +14,9 @@ struct Stitched {
   std::vector<bool> may_end;
 };
 
-// Lifts the sheet's vertices and joins them to the untouched triangles of the liquid, less those of the free surface
-// inside solids. Walls of a closed liquid follow where the border of its free surface was divided or moved.
+// Joins the sheet, raised, to the untouched triangles of the liquid, less those of the free surface inside solids.
+// Walls of a closed liquid follow where the border of its free surface was divided or moved.
 Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch,
-                const Sheet& sheet, const std::vector<ContactLine>& lines, const std::vector<Body>& bodies);
+                const Sheet& sheet, const Raised& raised, const std::vector<Body>& bodies);
 
 }  // namespace meniscus

@@ -31,8 +31,12 @@ void expect_topology(const Surface& surface, const shapes::Expected& expected) {
   EXPECT_EQ(report.genus, expected.genus);
 }
 
-void expect_warnings(const Surface& surface, std::vector<std::string> expected) {
+void expect_warnings(const Surface& surface, const Case& scene) {
+  std::vector<std::string> expected = scene.expected.warnings;
   for (const std::string& warning : surface.warnings) {
+    const bool holds =
+        warning.find("is pinned along") != std::string::npos || warning.find("is lowered along") != std::string::npos;
+    if (scene.held && holds) continue;
     const auto known = std::find_if(expected.begin(), expected.end(),
                                     [&](const auto& part) { return warning.find(part) != std::string::npos; });
     if (known == expected.end()) {
@@ -83,7 +87,7 @@ TEST_P(Generated, IsSound) {
   const Scene scene = GetParam().make();
   const Surface surface = build(scene.liquid, scene.solids);
   expect_topology(surface, GetParam().expected);
-  expect_warnings(surface, GetParam().expected.warnings);
+  expect_warnings(surface, GetParam());
   expect_sound(surface, scene, 1);
   if (!GetParam().ill) expect_coverage(scene);
 }
@@ -95,7 +99,7 @@ TEST_P(Generated, SweepOfScalesAndPlaces) {
     const Scene other = scaled(scene, scale);
     const Surface surface = build(other.liquid, other.solids);
     expect_topology(surface, GetParam().expected);
-    expect_warnings(surface, GetParam().expected.warnings);
+    expect_warnings(surface, GetParam());
     expect_sound(surface, other, scale);
   }
   SCOPED_TRACE("far away");

@@ -27,6 +27,7 @@ struct Case {
   std::string name;
   std::function<Scene()> make;
   Expected expected;
+  bool held = false;  // the contact line may be pinned or lowered, with a warning
   bool ill = false;   // solids that enclose no volume: which side is liquid has no answer to compare with
   bool slow = false;  // for the sweep alone
 };

@@ -1,0 +1,74 @@
+#include "meniscus/body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meniscus {
+namespace {
+
+Hit make_hit(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {
+  const glm::dvec3 n = mesh.area_normal(t);
+  const double square = glm::dot(n, n);
+  glm::dvec3 sum(0);
+  for (int i = 0; i < 3; ++i) {  // by the areas opposite to the corners
+    const glm::dvec3 a = mesh.corner(t, (i + 1) % 3) - p, b = mesh.corner(t, (i + 2) % 3) - p;
+    sum += glm::dot(glm::cross(a, b), n) / square * mesh.triangles[t].normals[i];
+  }
+  const double length = glm::length(sum);
+  const glm::dvec3 facet = n / std::sqrt(square);
+  return {p, facet, length > 0 ? sum / length : facet};
+}
+
+}  // namespace
+
+std::optional<Hit> shoot(const Body& body, const glm::dvec3& origin, const glm::dvec3& direction, double expected,
+                         double reach) {
+  Box box;
+  box.add(origin - reach * direction);
+  box.add(origin + reach * direction);
+  std::optional<std::pair<double, std::uint32_t>> best;
+  body.tree.overlapping(box.grown(1e-9 * reach), [&](std::uint32_t t) {
+    const glm::dvec3 n = body.mesh.area_normal(t);
+    const double facing = glm::dot(n, direction);
+    if (!(facing > 1e-9 * glm::length(n))) return;
+    const double s = glm::dot(body.mesh.corner(t, 0) - origin, n) / facing;
+    if (!(std::abs(s) <= reach)) return;
+    const glm::dvec3 p = origin + s * direction;
+    constexpr double kEdge = -1e-9;  // in parts of the facet
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 a = body.mesh.corner(t, i), b = body.mesh.corner(t, (i + 1) % 3);
+      if (glm::dot(glm::cross(b - a, p - a), n) < kEdge * glm::dot(n, n)) return;
+    }
+    if (!best || std::abs(s - expected) < std::abs(best->first - expected)) best = {s, t};
+  });
+  if (!best) return {};
+  return make_hit(body.mesh, best->second, origin + best->first * direction);
+}
+
+std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& origin, const glm::dvec3& up,
+                                         const glm::dvec3& direction, double reach) {
+  Box box;
+  box.add(origin);
+  std::optional<Nearest> best;
+  body.tree.overlapping(box.grown(reach), [&](std::uint32_t t) {
+    const glm::dvec3 n = body.mesh.area_normal(t);
+    if (!(glm::dot(n, direction) > 1e-9 * glm::length(n))) return;
+    std::vector<glm::dvec3> ends;  // of the facet's segment in the plane
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 a = body.mesh.corner(t, i), b = body.mesh.corner(t, (i + 1) % 3);
+      const double da = glm::dot(a - origin, up), db = glm::dot(b - origin, up);
+      if ((da < 0) != (db < 0)) ends.push_back(a + da / (da - db) * (b - a));
+    }
+    if (ends.size() < 2) return;
+    const glm::dvec3 e = ends[1] - ends[0];
+    const double square = glm::dot(e, e);
+    const double along = square > 0 ? glm::clamp(glm::dot(origin - ends[0], e) / square, 0.0, 1.0) : 0;
+    const glm::dvec3 p = ends[0] + along * e;
+    const double distance = glm::distance(p, origin);
+    if (distance > reach || (best && distance >= glm::distance(best->hit.position, origin))) return;
+    best = {make_hit(body.mesh, t, p), glm::dot(origin - p, n) < 0};
+  });
+  return best;
+}
+
+}  // namespace meniscus

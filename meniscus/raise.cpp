@@ -1,0 +1,137 @@
+#include "meniscus/raise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "meniscus/predicates.h"
+
+namespace meniscus {
+namespace {
+
+constexpr double kLeast = 0.1;  // of a triangle's area in projection: less counts as squeezed
+
+void find_bases(Raised& raised, const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch,
+                const Sheet& sheet) {
+  std::vector<glm::dvec3> normal_at(liquid.points.size());  // of the free surface, that of the first untouched triangle
+  for (const bool touched : {true, false}) {
+    for (auto t = surface.rbegin(); t != surface.rend(); ++t) {
+      if (patch.contains(*t) != touched) continue;
+      for (int i = 2; i >= 0; --i) normal_at[liquid.triangles[*t].points[i]] = liquid.triangles[*t].normals[i];
+    }
+  }
+  for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
+    if (!raised.used[i]) continue;
+    const Sheet::Vertex& vertex = sheet.vertices[i];
+    if (vertex.node) {
+      raised.base[i] = {vertex.node->position, vertex.node->liquid_normal};
+    } else if (vertex.original) {
+      raised.base[i] = {liquid.points[*vertex.original], normal_at[*vertex.original]};
+    } else {
+      raised.base[i] = patch.clamped(vertex.x);
+    }
+  }
+}
+
+void lift_all(Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines) {
+  for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
+    if (!raised.used[i]) continue;
+    const Foot& foot = sheet.vertices[i].foot;
+    raised.at[i] =
+        lift(foot, foot.exists() ? lines[foot.line].sweep : 0, raised.base[i].position, raised.base[i].normal);
+  }
+}
+
+using Marks = std::vector<std::vector<bool>>;  // per line and node
+
+// Marks the nodes whose slide turns triangles over or squeezes them. Returns whether there are any.
+bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines, Marks& marks) {
+  bool any = false;
+  const auto slide = [](const Foot& foot) {
+    return glm::length(foot.from->slide + foot.t * (foot.to->slide - foot.from->slide));
+  };
+  for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+    if (!sheet.raised[t]) continue;
+    glm::dvec2 was[3], is[3];
+    double most = 0;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t v = sheet.triangles[t][k];
+      was[k] = sheet.vertices[v].x, is[k] = planar(raised.at[v].position);
+      const Foot& foot = sheet.vertices[v].foot;
+      if (foot.exists()) most = std::max(most, slide(foot));
+    }
+    if (cross(is[1] - is[0], is[2] - is[0]) > kLeast * cross(was[1] - was[0], was[2] - was[0])) continue;
+    for (int k = 0; k < 3; ++k) {  // what hardly slides is not to blame
+      const Foot& foot = sheet.vertices[sheet.triangles[t][k]].foot;
+      constexpr double kToBlame = 0.3;
+      if (!foot.exists() || most == 0 || slide(foot) < kToBlame * most) continue;
+      marks[foot.line][foot.node] = any = true;
+      const bool segment = foot.from != foot.to && foot.fan == 0;
+      if (segment) marks[foot.line][(foot.node + 1) % lines[foot.line].nodes.size()] = true;
+    }
+  }
+  return any;
+}
+
+// Leaves less room at marked nodes, and beside them no more than lets the line rise gently.
+void lower(ContactLine& line, const std::vector<bool>& marked, bool to_level) {
+  constexpr double kFactor = 0.75, kWithin = 0.5;  // sweep lengths, over which the whole height may be gained
+  const std::size_t n = line.nodes.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (marked[i]) line.nodes[i].room *= to_level ? 0 : kFactor;
+  }
+  const auto limit = [&](std::size_t from, std::size_t to) {
+    const double apart = glm::distance(line.nodes[from].position, line.nodes[to].position);
+    line.nodes[to].room = std::min(line.nodes[to].room, line.nodes[from].room + apart / (kWithin * line.sweep));
+  };
+  for (int round = 0; round < 1 + line.closed; ++round) {
+    for (std::size_t i = line.closed ? 0 : 1; i < n; ++i) limit((i + n - 1) % n, i);
+    for (std::size_t i = line.closed ? n : n - 1; i-- > 0;) limit((i + 1) % n, i);
+  }
+}
+
+}  // namespace
+
+Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch, const Sheet& sheet,
+             std::vector<ContactLine>& lines, const std::vector<Body>& bodies, const Liquid& parameters,
+             std::vector<std::string>& warnings) {
+  Raised raised{std::vector<bool>(sheet.vertices.size(), false), {}, {}};
+  raised.base.resize(sheet.vertices.size());
+  raised.at.resize(sheet.vertices.size());
+  for (const glm::uvec3& t : sheet.triangles) raised.used[t.x] = raised.used[t.y] = raised.used[t.z] = true;
+  find_bases(raised, liquid, surface, patch, sheet);
+  lift_all(raised, sheet, lines);
+
+  Marks lowered;
+  for (const ContactLine& line : lines) lowered.emplace_back(line.nodes.size(), false);
+  constexpr int kRounds = 12;
+  for (int round = 0; round < kRounds; ++round) {
+    Marks marks;
+    for (const ContactLine& line : lines) marks.emplace_back(line.nodes.size(), false);
+    if (!find_folds(raised, sheet, lines, marks)) break;
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      if (std::find(marks[l].begin(), marks[l].end(), true) == marks[l].end()) continue;
+      std::vector<double> before;
+      for (const Node& node : lines[l].nodes) before.push_back(node.room);
+      lower(lines[l], marks[l], round + 2 >= kRounds);
+      for (std::size_t i = 0; i < before.size(); ++i)
+        if (lines[l].nodes[i].room < 0.95 * before[i]) lowered[l][i] = true;
+      bond(lines[l], bodies[lines[l].solid], parameters);
+      differentiate(lines[l]);
+    }
+    lift_all(raised, sheet, lines);
+  }
+  std::map<std::string, Share> shares;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const auto count = std::count(lowered[l].begin(), lowered[l].end(), true);
+    shares[bodies[lines[l].solid].name].add(static_cast<std::size_t>(count), lowered[l].size());
+  }
+  for (const auto& [name, share] : shares) {
+    if (share.part == 0) continue;
+    warnings.push_back("solid '" + name + "': its meniscus is lowered along " + share.percent() +
+                       " of its contact line: at its full height it would fold over itself or a neighbour's");
+  }
+  return raised;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,30 @@
+// The sheet raised to its menisci, and lowered again where it would fold.
+#pragma once
+
+#include "meniscus/lift.h"
+#include "meniscus/meniscus.h"
+#include "meniscus/remesh.h"
+
+namespace meniscus {
+
+// How much of something is concerned, for messages.
+struct Share {
+  std::size_t part = 0, whole = 0;
+  void add(std::size_t p, std::size_t w) { part += p, whole += w; }
+  std::string percent() const { return std::to_string((100 * part + whole - 1) / whole) + " %"; }
+};
+
+struct Raised {
+  std::vector<bool> used;  // per vertex of the sheet: is it a corner of a triangle?
+  std::vector<Base> base;  // where it is on the level liquid, if used
+  std::vector<Lifted> at;  // and where it is raised to
+};
+
+// Raises the sheet's vertices. Where neighbouring contact lines slide towards each other, or a line round a bend, so
+// that triangles would turn over or be squeezed, the lines are bonded anew at smaller heights there, with a warning:
+// down to the level, at which the sheet is what the triangulation made.
+Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch, const Sheet& sheet,
+             std::vector<ContactLine>& lines, const std::vector<Body>& bodies, const Liquid& parameters,
+             std::vector<std::string>& warnings);
+
+}  // namespace meniscus
