@@ -71,4 +71,17 @@ std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& ori
   return best;
 }
 
+double distance_to_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {
+  const glm::dvec3 n = mesh.area_normal(t);
+  bool over = glm::dot(n, n) > 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3 a = mesh.corner(t, i), e = mesh.corner(t, (i + 1) % 3) - a;
+    over = over && glm::dot(glm::cross(e, p - a), n) >= 0;
+    const double along = glm::clamp(glm::dot(p - a, e) / glm::dot(e, e), 0.0, 1.0);
+    least = std::min(least, glm::distance(p, a + along * e));
+  }
+  return over ? std::abs(glm::dot(p - mesh.corner(t, 0), n)) / glm::length(n) : least;
+}
+
 }  // namespace meniscus

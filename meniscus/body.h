@@ -36,4 +36,7 @@ struct Nearest {
 std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& origin, const glm::dvec3& up,
                                          const glm::dvec3& direction, double reach);
 
+// From p to the nearest point of triangle t.
+double distance_to_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p);
+
 }  // namespace meniscus

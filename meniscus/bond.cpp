@@ -94,7 +94,7 @@ double climb_from(const Climb& climb, Hit& at) {
       held = next, at = *hit;
       continue;
     }
-    for (int i = 0; i < 40; ++i) {  // bisection for the edge
+    for (int i = 0; i < 24; ++i) {  // bisection for the edge
       const double middle = 0.5 * (held + next);
       if (const std::optional<Hit> hit = climb.contact(middle, at, held)) {
         held = middle, at = *hit;

@@ -1,8 +1,10 @@
 #include "meniscus/meniscus.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "meniscus/bond.h"
@@ -10,6 +12,7 @@
 #include "meniscus/predicates.h"
 #include "meniscus/profile.h"
 #include "meniscus/sizing.h"
+#include "meniscus/snap.h"
 #include "meniscus/stitch.h"
 
 namespace meniscus {
@@ -50,6 +53,16 @@ Topology weld_liquid(const Liquid& liquid, std::vector<std::uint32_t>& surface, 
   return mesh;
 }
 
+// A facet that is there twice would make every contour twice.
+void drop_repeated(Topology& mesh) {
+  std::set<std::array<std::uint32_t, 3>> known;
+  std::erase_if(mesh.triangles, [&](const Topology::Triangle& t) {
+    std::array<std::uint32_t, 3> v{t.points.x, t.points.y, t.points.z};
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+    return !known.insert(v).second;
+  });
+}
+
 // A vertex normal far from its facet's is no surface's: Blender's smooth cylinder tilts those of its side by 45 degrees
 // towards the caps, and with them the dihedral angle. Such ones become the mean of the neighbouring facets that do not
 // turn away by a crease.
@@ -81,6 +94,7 @@ std::vector<Body> weld_solids(const std::vector<Solid>& solids) {
       throw std::invalid_argument("solid '" + solid.name + "': the contact angle must lie between 0 and 180 degrees");
     }
     Topology mesh = weld(solid.mesh, solid.name);
+    drop_repeated(mesh);
     orient_outward(mesh);
     straighten_normals(mesh);
     std::vector<Box> boxes;
@@ -121,7 +135,13 @@ void check(const Liquid& liquid, const Stitched& result, const std::vector<Conta
            const std::vector<Body>& bodies, std::vector<std::string>& warnings) {
   const Report report = inspect(result.mesh);
   std::size_t gaps = 0;
-  for (const auto& [a, b] : report.boundary) gaps += !(result.may_end[a] && result.may_end[b]);
+  for (const auto& [a, b] : report.boundary) {
+    if (result.may_end[a] && result.may_end[b]) continue;
+    // A closed liquid's walls may end within the solid that holds it, where the free surface was taken away.
+    const glm::dvec3 middle = 0.5 * (result.mesh.positions[a] + result.mesh.positions[b]);
+    gaps += std::none_of(bodies.begin(), bodies.end(),
+                         [&](const Body& body) { return winding_number(body.mesh, middle) > 0.5; });
+  }
   const std::size_t rejected_before = report.rejected > 0 ? inspect(liquid.mesh).rejected : 0;
   if (report.rejected > rejected_before) {
     warnings.push_back("liquid '" + liquid.name + "': " + std::to_string(report.rejected - rejected_before) +
@@ -148,8 +168,10 @@ void check(const Liquid& liquid, const Stitched& result, const std::vector<Conta
 Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   Surface result;
   std::vector<std::uint32_t> surface;
-  const Topology level = weld_liquid(liquid, surface, result.warnings);
+  Topology level = weld_liquid(liquid, surface, result.warnings);
   const std::vector<Body> bodies = weld_solids(solids);
+  constexpr double kSnap = 0.02;  // capillary lengths
+  snap_border(level, surface, liquid.name, bodies, kSnap * liquid.capillary_length, result.warnings);
   const double reach = sweep_length(liquid);
 
   std::vector<Box> boxes;

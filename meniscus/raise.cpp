@@ -104,7 +104,7 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
 
   Marks lowered;
   for (const ContactLine& line : lines) lowered.emplace_back(line.nodes.size(), false);
-  constexpr int kRounds = 12;
+  constexpr int kRounds = 30, kToLevel = 10;
   for (int round = 0; round < kRounds; ++round) {
     Marks marks;
     for (const ContactLine& line : lines) marks.emplace_back(line.nodes.size(), false);
@@ -113,7 +113,7 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
       if (std::find(marks[l].begin(), marks[l].end(), true) == marks[l].end()) continue;
       std::vector<double> before;
       for (const Node& node : lines[l].nodes) before.push_back(node.room);
-      lower(lines[l], marks[l], round + 2 >= kRounds);
+      lower(lines[l], marks[l], round >= kToLevel);
       for (std::size_t i = 0; i < before.size(); ++i)
         if (lines[l].nodes[i].room < 0.95 * before[i]) lowered[l][i] = true;
       bond(lines[l], bodies[lines[l].solid], parameters);

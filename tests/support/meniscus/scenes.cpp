@@ -31,6 +31,16 @@ TriangleMesh waves(double height, double length, int n = 60) {
                [=](double x, double z) { return height * kMm * std::sin(k * x + 0.3) * std::cos(0.7 * k * z); });
 }
 
+TriangleMesh disc(double radius, int facets) {
+  TriangleMesh mesh;
+  const auto at = [&](int i) {
+    const double a = i % facets == 0 ? 0 : 2 * glm::pi<double>() * i / facets;
+    return radius * kMm * dvec3(std::sin(a), 0, std::cos(a));
+  };
+  for (int i = 0; i < facets; ++i) add_triangle(mesh, dvec3(0), at(i), at(i + 1), kY);
+  return mesh;
+}
+
 // A chain of rings, lying and standing in turn, each through the next.
 std::vector<TriangleMesh> chain(int links) {
   std::vector<TriangleMesh> result;
@@ -113,7 +123,7 @@ std::vector<Case> make_cases() {
     return result.back();
   };
   const Expected one{1, 0, 1, 2};
-  const std::string pinned = "pinned";
+  const std::string pinned = "pinned", snapped = "points of its border lie within";
 
   add(
       "Post", [] { return in(level(), {long_post()}); }, one);
@@ -250,12 +260,17 @@ std::vector<Case> make_cases() {
         return in(box(mm(-20.3, -10.3, -20.3), mm(20.3, 0, 20.3)), {tray(20 * kMm, 2 * kMm, -10 * kMm, 10 * kMm)});
       },
       {1, 0, 2, 2});
-  add("TrayOfExactSheet", [] { return in(level(20), {tray(20 * kMm, 2 * kMm, -10 * kMm, 10 * kMm)}); }, {1, 0, 1, 1});
+  add("TrayOfExactSheet", [] { return in(level(20), {tray(20 * kMm, 2 * kMm, -10 * kMm, 10 * kMm)}); },
+      {1, 0, 1, 1, 0, {snapped}});
   add("TrayOfExactLiquid",
       [] { return in(box(mm(-20, -10, -20), mm(20, 0, 20)), {tray(20 * kMm, 2 * kMm, -10 * kMm, 10 * kMm)}); },
-      {1, 0, 2, 2});
+      {1, 0, 2, 2, 0, {snapped}});
   add("TrayOfSmallSheet", [] { return in(level(19.95), {tray(20 * kMm, 2 * kMm, -10 * kMm, 10 * kMm)}); },
+      {1, 0, 1, 1, 0, {snapped}});
+  add("TrayOfSmallerSheet", [] { return in(level(19.8), {tray(20 * kMm, 2 * kMm, -10 * kMm, 10 * kMm)}); },
       {0, 0, 1, 1});
+  add("CupOfExactDisc", [] { return in(disc(8, 96), {cup(8 * kMm, 12 * kMm, -10 * kMm, 8 * kMm)}); },
+      {1, 0, 1, 1, 0, {snapped}});
   add("TrayOfAll",
       [] {
         return in(level(31),
@@ -304,6 +319,11 @@ std::vector<Case> make_cases() {
       },
       {0, 0, 1, 1, 0, {"open where it meets"}})
       .ill = true;
+  for (const char* name : {"PostTilted60", "PostTilted75", "CubeOnEdge", "StarTilted", "Helix", "TorusTilted",
+                           "RingChain", "Needles", "ThousandNeedles", "PaperClip", "Hair", "TrayOfAll"}) {
+    for (Case& c : result) c.held = c.held || c.name.starts_with(name);
+  }
+  for (Case& c : result) c.thin_walls = c.name == "PostAtBlocksBorder";
   return result;
 }
 
