@@ -21,30 +21,64 @@ struct Candidate {
   Foot foot;
 };
 
-// The directions in which one node sends its points.
-std::vector<std::pair<int, Foot>> directions(const ContactLine& of, std::size_t line, std::size_t i) {
-  const Node& node = of.nodes[i];
+// Where a column starts and in which direction it goes.
+struct Column {
+  int rank;
+  glm::dvec2 origin;
   Foot foot;
-  foot.line = line, foot.node = i;
+};
+
+glm::dvec2 rotated(const glm::dvec2& d, double a) {
+  return {std::cos(a) * d.x - std::sin(a) * d.y, std::sin(a) * d.x + std::cos(a) * d.y};
+}
+
+// Columns for `turn` from one side to another: how many steps, an even number.
+int steps_for(double turn) { return 2 * static_cast<int>(std::ceil(-turn / (2 * kColumnTurn))); }
+
+// In a fan, halves come before quarters.
+int rank_of(int step, int steps) {
+  int rank = step == 0 || step == steps ? 0 : 32;
+  for (int k = step; rank > 1 && k % 2 == 0; k /= 2) --rank;
+  return rank;
+}
+
+// The columns of one node: one, or at a convex joint a fan.
+void add_columns(std::vector<Column>& columns, const ContactLine& line, std::size_t l, std::size_t i) {
+  const Node& node = line.nodes[i];
+  const glm::dvec2 origin = planar(node.position);
+  Foot foot;
+  foot.line = l, foot.node = i;
   const double turn = turn_between(node.before.direction, node.after.direction);
   if (!node.joint || turn >= 0) {
     foot.from = foot.to = &node.contact, foot.direction = node.contact.direction;
-    return {{0, foot}};
+    columns.push_back({0, origin, foot});
+    return;
   }
-  std::vector<std::pair<int, Foot>> result;
   foot.from = &node.before, foot.to = &node.after, foot.fan = -turn;
-  const int n = 2 * static_cast<int>(std::ceil(-turn / (2 * kColumnTurn)));
-  for (int j = 0; j <= n; ++j) {
-    const double a = turn * j / n;
-    const glm::dvec2 d = node.before.direction;
-    foot.t = static_cast<double>(j) / n;
-    foot.direction = j == n ? node.after.direction
-                            : glm::dvec2(std::cos(a) * d.x - std::sin(a) * d.y, std::sin(a) * d.x + std::cos(a) * d.y);
-    int rank = j == 0 || j == n ? 0 : 32;
-    for (int k = j; rank > 1 && k % 2 == 0; k /= 2) --rank;
-    result.emplace_back(rank, foot);
+  const int n = steps_for(turn);
+  for (int k = 0; k <= n; ++k) {
+    foot.t = static_cast<double>(k) / n;
+    foot.direction = k == n ? node.after.direction : rotated(node.before.direction, turn * k / n);
+    columns.push_back({rank_of(k, n), origin, foot});
   }
-  return result;
+}
+
+// Columns between node i and the next, where the contour turns much though the solid's normals, nearly upright, do not.
+void add_columns_between(std::vector<Column>& columns, const ContactLine& line, std::size_t l, std::size_t i) {
+  constexpr double kMuch = -3 * kColumnTurn;
+  const Node &node = line.nodes[i], &next = line.next(i);
+  const double turn = turn_between(node.after.direction, next.before.direction);
+  if (!(turn < kMuch * line.coarseness)) return;
+  Foot foot;
+  foot.line = l, foot.node = i, foot.from = &node.after, foot.to = &next.before;
+  const int n = steps_for(turn);
+  for (int k = 1; k < n; ++k) {  // evenly spread, at the place where the interpolated normal has that direction
+    foot.direction = rotated(node.after.direction, turn * k / n);
+    const double from = cross(node.after.direction, foot.direction), to = cross(next.before.direction, foot.direction);
+    foot.t = from / (from - to);
+    const glm::dvec2 origin = planar(node.position) + foot.t * (planar(next.position) - planar(node.position));
+    columns.push_back({rank_of(k, n), origin, foot});
+  }
 }
 
 }  // namespace
@@ -121,17 +155,19 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
   std::vector<Candidate> candidates;
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const std::vector<double> layers = gradings[l].layers(extent);
+    std::vector<Column> columns;
     for (std::size_t i = 0; i < lines[l].nodes.size(); ++i) {
-      const Node& node = lines[l].nodes[i];
-      for (auto& [rank, foot] : directions(lines[l], l, i)) {
-        for (const double d : layers) {
-          foot.distance = d;
-          const glm::dvec2 x = planar(node.position) + d * foot.direction;
-          if (patch.box().distance(glm::dvec3(x, 0)) > 0) break;
-          constexpr double kNearer = 1 - 1e-6;
-          if (field.foot(x, kNearer * d).exists()) break;  // here the column ends: another foot is nearer from here on
-          candidates.push_back({d, l, rank, i, x, foot});
-        }
+      add_columns(columns, lines[l], l, i);
+      if (i < lines[l].segments()) add_columns_between(columns, lines[l], l, i);
+    }
+    for (auto& [rank, origin, foot] : columns) {
+      for (const double d : layers) {
+        foot.distance = d;
+        const glm::dvec2 x = origin + d * foot.direction;
+        if (patch.box().distance(glm::dvec3(x, 0)) > 0) break;
+        constexpr double kNearer = 1 - 1e-6;
+        if (field.foot(x, kNearer * d).exists()) break;  // here the column ends: another foot is nearer from here on
+        candidates.push_back({d, l, rank, foot.node, x, foot});
       }
     }
   }

@@ -131,6 +131,10 @@ bool bond_side(Side& side, Node& node, const Body& body, double sweep, double he
     at = level, held = climb_from(climb, at);
     node.room *= held;
   }
+  if (held * height == 0) {  // chords between the contour's points may leave the facets
+    const double reach = 1e-3 * sweep;
+    if (const std::optional<Hit> beside = shoot(body, node.position, climb.out, 0, reach)) at = *beside;
+  }
   const glm::dvec3 way = at.position - node.position;
   side.rise = held * height;
   side.slide = planar(way - side.rise * up);

@@ -44,8 +44,17 @@ void lift_all(Raised& raised, const Sheet& sheet, const std::vector<ContactLine>
 
 using Marks = std::vector<std::vector<bool>>;  // per line and node
 
-// Marks the nodes whose slide turns triangles over or squeezes them. Returns whether there are any.
+// Square of the sine of a triangle's smallest angle.
+double thinness(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  double edges[3] = {glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)};
+  std::sort(edges, edges + 3);
+  const glm::dvec3 n = glm::cross(b - a, c - a);
+  return glm::dot(n, n) / (edges[1] * edges[2]);
+}
+
+// Marks the nodes that turn triangles over, squeeze them or draw them out. Returns whether there are any.
 bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines, Marks& marks) {
+  constexpr double kThinnest = 0.0007;  // 1.5 degrees
   bool any = false;
   const auto slide = [](const Foot& foot) {
     return glm::length(foot.from->slide + foot.t * (foot.to->slide - foot.from->slide));
@@ -53,18 +62,22 @@ bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<Cont
   for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
     if (!sheet.raised[t]) continue;
     glm::dvec2 was[3], is[3];
+    glm::dvec3 base[3], at[3];
     double most = 0;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t v = sheet.triangles[t][k];
-      was[k] = sheet.vertices[v].x, is[k] = planar(raised.at[v].position);
+      base[k] = raised.base[v].position, at[k] = raised.at[v].position;
+      was[k] = sheet.vertices[v].x, is[k] = planar(at[k]);
       const Foot& foot = sheet.vertices[v].foot;
       if (foot.exists()) most = std::max(most, slide(foot));
     }
-    if (cross(is[1] - is[0], is[2] - is[0]) > kLeast * cross(was[1] - was[0], was[2] - was[0])) continue;
+    const bool squeezed = cross(is[1] - is[0], is[2] - is[0]) <= kLeast * cross(was[1] - was[0], was[2] - was[0]);
+    const bool thin = thinness(at[0], at[1], at[2]) < kThinnest && thinness(base[0], base[1], base[2]) >= kThinnest;
+    if (!squeezed && !thin) continue;
     for (int k = 0; k < 3; ++k) {  // what hardly slides is not to blame
       const Foot& foot = sheet.vertices[sheet.triangles[t][k]].foot;
       constexpr double kToBlame = 0.3;
-      if (!foot.exists() || most == 0 || slide(foot) < kToBlame * most) continue;
+      if (!foot.exists() || (squeezed && (most == 0 || slide(foot) < kToBlame * most))) continue;
       marks[foot.line][foot.node] = any = true;
       const bool segment = foot.from != foot.to && foot.fan == 0;
       if (segment) marks[foot.line][(foot.node + 1) % lines[foot.line].nodes.size()] = true;

@@ -274,8 +274,10 @@ double deepest_within(const Surface& surface, const std::vector<Shell>& solids) 
     if (!surface.meniscus[t]) continue;
     const Corners c = corners(surface.mesh, surface.mesh.triangles[t]);
     const dvec3 middle = (c[0] + c[1] + c[2]) / 3.0;
+    constexpr double kSag = 0.06;  // of a chord, over an arc of 27 degrees
+    const double longest = std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
     for (const Shell& s : solids) {
-      if (s.winding(middle) != 0) deepest = std::max(deepest, s.distance(middle));
+      if (s.winding(middle) != 0) deepest = std::max(deepest, s.distance(middle) - kSag * longest);
     }
   }
   return deepest;

@@ -57,7 +57,8 @@ struct Coverage {
 Coverage cover(const TriangleMesh& flat_result, const TriangleMesh& liquid, const std::vector<Shell>& solids,
                double tolerance);
 
-// How deep the middles of meniscus triangles lie within solids, at most; metres.
+// How deep the middles of meniscus triangles lie within solids, at most, beyond what a chord of their size may cut off;
+// metres.
 double deepest_within(const Surface& surface, const std::vector<Shell>& solids);
 
 }  // namespace soundness
