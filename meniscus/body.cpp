@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meniscus/predicates.h"
+
 namespace meniscus {
 namespace {
 
@@ -69,6 +71,33 @@ std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& ori
     best = {make_hit(body.mesh, t, p), glm::dot(origin - p, n) < 0};
   });
   return best;
+}
+
+double depth_within(const Body& body, const glm::dvec3& p) {
+  Box above;
+  above.add(p);
+  const Box bounds = body.tree.bounds();
+  if (!bounds.overlaps(above)) return 0;
+  above.add({p.x, bounds.high.y, p.z});
+  const glm::dvec2 x = planar(p);
+  int winding = 0;
+  body.tree.overlapping(above, [&](std::uint32_t t) {
+    int round = 0;  // of the facet about the vertical line; half-open edges, so that neighbours never both have it
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec2 a = planar(body.mesh.corner(t, i)), b = planar(body.mesh.corner(t, (i + 1) % 3));
+      if ((a.y > x.y) == (b.y > x.y)) continue;
+      const bool rising = b.y > a.y;
+      if (orient2d(rising ? a : b, rising ? b : a, x) > 0) round += rising ? 1 : -1;
+    }
+    if (round == 0) return;
+    const glm::dvec3 n = body.mesh.area_normal(t);
+    if (glm::dot(body.mesh.corner(t, 0) - p, n) * n.y > 0) winding += round;
+  });
+  if (winding == 0) return 0;
+  double least = glm::length(bounds.high - bounds.low);
+  body.tree.nearest(p, least,
+                    [&](std::uint32_t t) { return least = std::min(least, distance_to_triangle(body.mesh, t, p)); });
+  return least;
 }
 
 double distance_to_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {

@@ -36,6 +36,9 @@ struct Nearest {
 std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& origin, const glm::dvec3& up,
                                          const glm::dvec3& direction, double reach);
 
+// How far p lies within the solid, 0 outside of it: by the facets above it, from which the nearest is sought.
+double depth_within(const Body& body, const glm::dvec3& p);
+
 // From p to the nearest point of triangle t.
 double distance_to_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p);
 

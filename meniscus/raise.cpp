@@ -52,8 +52,18 @@ double thinness(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return glm::dot(n, n) / (edges[1] * edges[2]);
 }
 
-// Marks the nodes that turn triangles over, squeeze them or draw them out. Returns whether there are any.
-bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines, Marks& marks) {
+// Does this triangle of a line's meniscus run within the line's own solid, deeper than its chords must?
+bool cuts(const glm::dvec3 at[3], const Body& body) {
+  constexpr double kSag = 0.06;  // of a chord, over an arc of 27 degrees
+  const double longest =
+      std::max({glm::distance(at[0], at[1]), glm::distance(at[1], at[2]), glm::distance(at[2], at[0])});
+  return depth_within(body, (at[0] + at[1] + at[2]) / 3.0) > kSag * longest;
+}
+
+// Marks the nodes that turn triangles over, squeeze them, draw them out or push them into the solid. Returns whether
+// there are any.
+bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines,
+                const std::vector<Body>& bodies, Marks& marks) {
   constexpr double kThinnest = 0.0007;  // 1.5 degrees
   bool any = false;
   const auto slide = [](const Foot& foot) {
@@ -73,7 +83,9 @@ bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<Cont
     }
     const bool squeezed = cross(is[1] - is[0], is[2] - is[0]) <= kLeast * cross(was[1] - was[0], was[2] - was[0]);
     const bool thin = thinness(at[0], at[1], at[2]) < kThinnest && thinness(base[0], base[1], base[2]) >= kThinnest;
-    if (!squeezed && !thin) continue;
+    const Foot& first = sheet.vertices[sheet.triangles[t][0]].foot;
+    const bool within = !squeezed && !thin && first.exists() && cuts(at, bodies[lines[first.line].solid]);
+    if (!squeezed && !thin && !within) continue;
     for (int k = 0; k < 3; ++k) {  // what hardly slides is not to blame
       const Foot& foot = sheet.vertices[sheet.triangles[t][k]].foot;
       constexpr double kToBlame = 0.3;
@@ -121,7 +133,7 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
   for (int round = 0; round < kRounds; ++round) {
     Marks marks;
     for (const ContactLine& line : lines) marks.emplace_back(line.nodes.size(), false);
-    if (!find_folds(raised, sheet, lines, marks)) break;
+    if (!find_folds(raised, sheet, lines, bodies, marks)) break;
     for (std::size_t l = 0; l < lines.size(); ++l) {
       if (std::find(marks[l].begin(), marks[l].end(), true) == marks[l].end()) continue;
       std::vector<double> before;
@@ -142,7 +154,7 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
   for (const auto& [name, share] : shares) {
     if (share.part == 0) continue;
     warnings.push_back("solid '" + name + "': its meniscus is lowered along " + share.percent() +
-                       " of its contact line: at its full height it would fold over itself or a neighbour's");
+                       " of its contact line: at its full height it would fold, or cut into the solid");
   }
   return raised;
 }

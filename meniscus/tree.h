@@ -26,6 +26,9 @@ class Tree {
  public:
   explicit Tree(std::vector<Box> boxes);
 
+  // Of all boxes.
+  Box bounds() const { return nodes_.empty() ? Box{} : nodes_[0].box; }
+
   // Calls leaf(index) for every box that overlaps `box`.
   template <class Leaf>
   void overlapping(const Box& box, Leaf leaf) const {

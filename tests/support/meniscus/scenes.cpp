@@ -319,8 +319,9 @@ std::vector<Case> make_cases() {
       },
       {0, 0, 1, 1, 0, {"open where it meets"}})
       .ill = true;
-  for (const char* name : {"PostTilted60", "PostTilted75", "CubeOnEdge", "StarTilted", "Helix", "TorusTilted",
-                           "RingChain", "Needles", "ThousandNeedles", "PaperClip", "Hair", "Teapot", "TrayOfAll"}) {
+  for (const char* name :
+       {"PostTilted60", "PostTilted75", "CubeOnEdge", "CubeOnCorner", "StarTilted", "Helix", "TorusTilted", "RingChain",
+        "Needles", "ThousandNeedles", "PaperClip", "Hair", "Teapot", "TrayOfAll"}) {
     for (Case& c : result) c.held = c.held || c.name.starts_with(name);
   }
   for (Case& c : result) c.thin_walls = c.name == "PostAtBlocksBorder";
