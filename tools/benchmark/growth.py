@@ -24,7 +24,8 @@ class Sweep:
 
     def render(self, scene, photons, side):
         """CPU seconds, and the peaks of device and host, bytes."""
-        options = (scene, os.path.join(self.folder, "growth.exr"), "--resolution", f"{side}x{side}", "--photons", photons, "--passes", 1)
+        options = (scene, os.path.join(self.folder, "growth.exr"), "--resolution", f"{side}x{side}", "--photons", photons, "--passes", 1,
+                   "--samples", 1)
         spent, statistics = self.meniscal.render(*options, warm=True)
         if spent < LONG:
             spent = min(spent, self.meniscal.render(*options, warm=True, repeats=3)[0])

@@ -20,7 +20,7 @@ def measure(cases):
     for case in cases:
         curves[case.name] = []
         for photons in PHOTONS:
-            cost, errors = case.render("--photons", photons, "--passes", 1)
+            cost, errors = case.render("--photons", photons, "--passes", 1, "--samples", 1)
             curves[case.name].append(errors)
             fold = f"{errors['fold']:.3f}" if case in with_folds else ""
             table.row(case.name, count(photons), seconds(cost), percent(errors["ring"]), percent(errors["pixel"]), fold)
