@@ -3,6 +3,7 @@
 // Photons, from a target or a light, and camera paths: both go through specular surfaces to the first diffuse one. One kernel, since what
 // they share, tracing and optics, is what a driver takes long to compile.
 #include "emission.glsl"
+#include "shared/branches.h"
 #include "shared/geometry.h"
 #include "shared/starts.h"
 
@@ -215,14 +216,15 @@ void main() {
     }
     uint dimension = DIM_FIRST_BOUNCE + BOUNCE_DIMENSIONS * met;
     if (random_unit(random, dimension) < surface.specular) {
-      bool splits = camera && s.split == 0.0 && push.branch != BRANCH_ROULETTE;
-      float choice = splits ? (push.branch == BRANCH_REFLECTED ? 0.0 : 0.99999994) : random_unit(random, dimension + 1u);
+      float choice = random_unit(random, dimension + 1u);
+      uint way = camera ? branch_way(push.branch, s.split, choice) : WAY_BY_ROULETTE;
+      if (way != WAY_BY_ROULETTE) choice = way == WAY_REFLECTED ? 0.0 : 0.99999994;
       if (met < push.specular_bounces) {
         float reflectance = scatter_specular(path, point, surface, choice);
         if (camera && reflectance > 0.0 && reflectance < 1.0) {
-          if (splits) path.throughput *= push.branch == BRANCH_REFLECTED ? reflectance : 1.0 - reflectance;
-          if (push.branch == BRANCH_REFLECTED && s.split == 0.0) s.emitted = vec3(0.0);
-          s.split = 1.0;
+          path.throughput *= way_weight(push.branch, s.split, way, reflectance);
+          if (way == WAY_REFLECTED) s.emitted = vec3(0.0);
+          s.split = next_split(push.branch, s.split, way);
         }
       }
       met += 1u;
@@ -248,8 +250,7 @@ void main() {
 
   if (camera) {
     if (end == END_ESCAPED) s.triangle = END_ESCAPED;
-    if (push.branch == BRANCH_REFLECTED && s.split == 0.0) {
-      // The other path has seen it all.
+    if (branch_ends_empty(push.branch, s.split)) {
       s.triangle = END_DROPPED;
       s.weight = s.emitted = vec3(0.0);
     }

@@ -66,7 +66,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
 void focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend) {
   if (settings.integrator == Integrator::ordinary) return;
   const Pilot pilot = look_ahead(backend, world, settings);
-  settings.split = pilot.splits;
+  settings.split = pilot.split;
   set_beams(settings, options, world,
             make_beams(world, pilot.starts, options.photons_per_pass(settings.crop.pixels())));
   backend.configure(settings);

@@ -83,19 +83,20 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
       break;
     }
     if (bounce == settings.specular_bounces) break;
-    const bool splits = view.branch != shared::BRANCH_ROULETTE && sample.split == 0;
-    const bool reflects = view.branch == shared::BRANCH_REFLECTED;
-    const double reflectance = scatter_specular(
-        path, *hit, tracer, splits ? (reflects ? 0 : 0.99999994) : double(shared::random_unit(key, dimension + 1)));
+    const float random = shared::random_unit(key, dimension + 1);
+    const std::uint32_t way = shared::branch_way(view.branch, sample.split, random);
+    const double reflectance = scatter_specular(path, *hit, tracer,
+                                                way == shared::WAY_REFLECTED ? 0
+                                                : way == shared::WAY_THROUGH ? 0.99999994
+                                                                             : double(random));
     if (reflectance > 0 && reflectance < 1) {
-      if (splits) path.throughput *= reflects ? reflectance : 1 - reflectance;
-      if (splits && reflects) emitted = glm::dvec3(0);
-      sample.split = 1;
+      path.throughput *= double(shared::way_weight(view.branch, sample.split, way, static_cast<float>(reflectance)));
+      if (way == shared::WAY_REFLECTED) emitted = glm::dvec3(0);
+      sample.split = shared::next_split(view.branch, sample.split, way);
     }
   }
   sample.emitted = glm::vec3(emitted);
-  if (view.branch == shared::BRANCH_REFLECTED && sample.split == 0) {
-    // The other path has seen it all.
+  if (shared::branch_ends_empty(view.branch, sample.split)) {
     sample.triangle = shared::END_DROPPED;
     sample.weight = sample.emitted = glm::vec3(0);
   }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "host/render/settings.h"
+#include "shaders/shared/branches.h"
 
 namespace meniscal {
 
@@ -53,15 +54,21 @@ double mean_of(const Colour& c) {
 // Which of the camera paths that a pass sends through each pixel.
 struct View {
   std::uint32_t sample = 0;                        // below settings.samples: their mean is the pass'
-  std::uint32_t branch = shared::BRANCH_ROULETTE;  // of a split path: the light of both is added
+  std::uint32_t branch = shared::BRANCH_ROULETTE;  // of a split path: the light of all is added
+
+  // The branch whose depth, normal and so on are the pixel's.
+  bool main() const { return branch != shared::BRANCH_REFLECTED && branch != shared::BRANCH_LATER; }
 };
 inline std::vector<View> views_of(const RenderSettings& settings) {
   std::vector<View> views;
   const auto add = [&](std::uint32_t branch) {
     for (std::uint32_t i = 0; i < settings.samples; ++i) views.push_back({i, branch});
   };
-  add(settings.split ? shared::BRANCH_THROUGH : shared::BRANCH_ROULETTE);
-  if (settings.split) add(shared::BRANCH_REFLECTED);
+  add(settings.split == 0   ? shared::BRANCH_ROULETTE
+      : settings.split == 1 ? shared::BRANCH_THROUGH
+                            : shared::BRANCH_THROUGH_ALL);
+  if (settings.split > 0) add(shared::BRANCH_REFLECTED);
+  if (settings.split > 1) add(shared::BRANCH_LATER);
   return views;
 }
 // Samples of the crop, row by row.

@@ -72,8 +72,7 @@ Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScal
 }
 
 void Film::add(const std::vector<PixelSample>& samples, const View& view) {
-  const bool split_off = view.branch == shared::BRANCH_REFLECTED;
-  if (!split_off) ++pass_samples_;
+  if (view.main()) ++pass_samples_;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PixelSample& s = samples[i];
     pass_[i] += glm::dvec3(s.emitted) + weighted(s, s.direct, 1) + weighted(s, s.targeted, scale_.targeted) +
@@ -82,7 +81,7 @@ void Film::add(const std::vector<PixelSample>& samples, const View& view) {
   for (Sum& sum : aovs_) {
     const auto aov =
         std::find_if(all_aovs().begin(), all_aovs().end(), [&](const Aov& a) { return a.name == sum.name; });
-    if (split_off && !aov->radiance) continue;
+    if (!view.main() && !aov->radiance) continue;
     const std::size_t channels = sum.channels.size();
     for (std::size_t i = 0; i < samples.size(); ++i) {
       glm::dvec3 value = aov->value(samples[i], scale_);

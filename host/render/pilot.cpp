@@ -117,11 +117,16 @@ Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& set
   RenderSettings pilot = coarse(settings);
   backend.configure(pilot);
   const std::vector<shared::PixelSample> samples = backend.trace_camera(pilot_pass, View{});
-  const bool splits = std::any_of(samples.begin(), samples.end(), [](const auto& s) { return s.split > 0; });
+  const auto part = [&](float surfaces) {
+    return double(std::count_if(samples.begin(), samples.end(), [=](const auto& s) { return s.split >= surfaces; })) /
+           double(samples.size());
+  };
+  constexpr double worth_a_path = 0.01;  // of the picture
+  const std::uint32_t split = part(2) > worth_a_path ? 2 : part(1) > 0 ? 1 : 0;
   const SeenCells cells(samples, pilot.crop.width());
 
   std::vector<StartSet> sets = default_starts(world);
-  if (cells.empty()) return {sets, splits};
+  if (cells.empty()) return {sets, split};
   for (StartSet& s : sets) s.windows = {StartWindow{.share = 1.0 / double(sets.size())}};
   std::vector<SeenSet> seen(sets.size());
   for (std::uint32_t round = 0; round < rounds; ++round) {
@@ -131,7 +136,7 @@ Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& set
       sets[i].windows = windows_round(seen[i], sets[i], round + 1 == rounds);
     share_out(sets);
   }
-  return {sets, splits};
+  return {sets, split};
 }
 
 }  // namespace meniscal

@@ -7,7 +7,7 @@ namespace meniscal {
 
 struct Pilot {
   std::vector<StartSet> starts;
-  bool splits;  // the camera sees surfaces that reflect a part of the light and let a part through
+  std::uint32_t split;  // see RenderSettings
 };
 
 // Traces some thousand camera rays and photons, and gives windows round the starts of those photons that landed where

@@ -60,7 +60,8 @@ struct RenderSettings {
   std::uint32_t photons_at_once =
       1u << 20;               // on the device: a pass of more takes them in turns, so that memory is bounded
   std::uint32_t samples = 1;  // camera paths a pixel and pass
-  bool split = false;         // each in two where light is reflected in part, instead of by roulette
+  // Where light is reflected in part: by roulette; each path in two at the first such surface; and at later ones, too.
+  std::uint32_t split = 0;
 
   std::uint32_t photons() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }  // per pass
 };

@@ -96,10 +96,6 @@ struct PhotonDisc {
   float flux_b;
 };
 
-// What a camera path that meets such a surface does: takes one way or the other by roulette; or, so that rare reflections
-// leave no specks, is one of two paths, each of which takes one way at the first such surface, by weight.
-const uint BRANCH_ROULETTE = 0u, BRANCH_THROUGH = 1u, BRANCH_REFLECTED = 2u;
-
 // What one pass says of one pixel by one path. The radiance is emitted + weight * (direct + targeted + caustic).
 struct PixelSample {
   // Where the pixel's centre sees the plane of the visible point: of the first non-specular surface on the camera path.
@@ -110,7 +106,7 @@ struct PixelSample {
   vec3 albedo;     // at the visible point
   uint triangle;   // of the visible point, or END_*
   vec3 weight;     // radiance per irradiance: throughput * albedo / pi; 0 where no visible point
-  float split;     // 1 where the camera path met a surface that reflects a part and lets a part through
+  float split;     // of the camera path: see next_split in branches.h
   vec3 emitted;  // radiance that reaches the camera from light-emitting surfaces
   uint lit;      // 1: the maps' irradiances are those of the sample before, at the same place
   vec3 direct;  // irradiance from the lights
