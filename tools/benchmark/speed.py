@@ -2,7 +2,7 @@
 import povray
 from tables import Table, count, percent, seconds
 
-SETTINGS = ("--quality draft", "--quality preview", "--quality final", "--quality final --passes 8")
+SETTINGS = ("--quality draft", "--quality final")
 POVRAY_COUNTS = ((1000000, False), (10000000, True))  # photons; whether pixels are antialiased, which pays with many photons alone
 
 
