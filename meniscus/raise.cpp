@@ -33,10 +33,12 @@ void find_bases(Raised& raised, const Topology& liquid, const std::vector<std::u
   }
 }
 
-void lift_all(Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines) {
+// Lifts the vertices whose feet are on the `changed` lines.
+void lift_all(Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines,
+              const std::vector<bool>& changed) {
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
-    if (!raised.used[i]) continue;
     const Foot& foot = sheet.vertices[i].foot;
+    if (!raised.used[i] || (foot.exists() && !changed[foot.line])) continue;
     raised.at[i] =
         lift(foot, foot.exists() ? lines[foot.line].sweep : 0, raised.base[i].position, raised.base[i].normal);
   }
@@ -61,9 +63,9 @@ bool cuts(const glm::dvec3 at[3], const Body& body) {
 }
 
 // Marks the nodes that turn triangles over, squeeze them, draw them out or push them into the solid. Returns whether
-// there are any.
+// there are any. Looks only at menisci that the `changed` lines have to do with.
 bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines,
-                const std::vector<Body>& bodies, Marks& marks) {
+                const std::vector<Body>& bodies, const std::vector<bool>& changed, Marks& marks) {
   constexpr double kThinnest = 0.0007;  // 1.5 degrees
   bool any = false;
   const auto slide = [](const Foot& foot) {
@@ -71,6 +73,12 @@ bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<Cont
   };
   for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
     if (!sheet.raised[t]) continue;
+    bool concerned = false;
+    for (int k = 0; k < 3; ++k) {
+      const Foot& foot = sheet.vertices[sheet.triangles[t][k]].foot;
+      concerned = concerned || (foot.exists() && changed[foot.line]);
+    }
+    if (!concerned) continue;
     glm::dvec2 was[3], is[3];
     glm::dvec3 base[3], at[3];
     double most = 0;
@@ -125,7 +133,8 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
   raised.at.resize(sheet.vertices.size());
   for (const glm::uvec3& t : sheet.triangles) raised.used[t.x] = raised.used[t.y] = raised.used[t.z] = true;
   find_bases(raised, liquid, surface, patch, sheet);
-  lift_all(raised, sheet, lines);
+  std::vector<bool> changed(lines.size(), true);
+  lift_all(raised, sheet, lines, changed);
 
   Marks lowered;
   for (const ContactLine& line : lines) lowered.emplace_back(line.nodes.size(), false);
@@ -133,9 +142,10 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
   for (int round = 0; round < kRounds; ++round) {
     Marks marks;
     for (const ContactLine& line : lines) marks.emplace_back(line.nodes.size(), false);
-    if (!find_folds(raised, sheet, lines, bodies, marks)) break;
+    if (!find_folds(raised, sheet, lines, bodies, changed, marks)) break;
     for (std::size_t l = 0; l < lines.size(); ++l) {
-      if (std::find(marks[l].begin(), marks[l].end(), true) == marks[l].end()) continue;
+      changed[l] = std::find(marks[l].begin(), marks[l].end(), true) != marks[l].end();
+      if (!changed[l]) continue;
       std::vector<double> before;
       for (const Node& node : lines[l].nodes) before.push_back(node.room);
       lower(lines[l], marks[l], round >= kToLevel);
@@ -144,7 +154,7 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
       bond(lines[l], bodies[lines[l].solid], parameters);
       differentiate(lines[l]);
     }
-    lift_all(raised, sheet, lines);
+    lift_all(raised, sheet, lines, changed);
   }
   std::map<std::string, Share> shares;
   for (std::size_t l = 0; l < lines.size(); ++l) {

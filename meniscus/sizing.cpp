@@ -13,7 +13,7 @@ namespace meniscus {
 namespace {
 
 constexpr double kGrowth = 0.2;         // of the distance between columns, per distance along the line
-constexpr double kMostTriangles = 2e6;  // of one contour
+constexpr double kMostTriangles = 2e6;  // of all contours together
 constexpr double kWithinPatch = 1.04;   // sweep lengths: the patch reaches a little farther
 constexpr double kUnset = 1e300;
 
@@ -45,6 +45,7 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
   const Field field(lines);
   const double wide = kAspect * Grading::widest(sweep_length);
   std::vector<Resolution> result;
+  double triangles = 0, whole = 0;  // length, metres
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const ContactLine& line = lines[l];
     const std::size_t n = line.nodes.size();
@@ -55,7 +56,7 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
       free.push_back(node.joint ? 0 : free_length(node, field, patch, sweep_length));
       resolution.sizes.push_back({0, free.back() > 0 ? wide : fine});
     }
-    double length = 0, columns = 0;
+    double length = 0;
     for (std::size_t i = 0; i < line.segments(); ++i) {
       const Node &a = line.nodes[i], &b = line.next(i);
       const double step = glm::distance(a.position, b.position);
@@ -72,21 +73,29 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
     grade(resolution.sizes, length, line.closed);
     for (std::size_t i = 0; i < line.segments(); ++i) {
       const double step = glm::distance(line.nodes[i].position, line.next(i).position);
-      columns += step / resolution.sizes[i].size;
+      const double reach = free[i] > 0 ? free[i] : sweep_length;
+      constexpr double kAround = 1.4;  // triangles in and round the band, for each of the band's own
+      triangles += kAround * 2 * step / resolution.sizes[i].size * reach / Grading::widest(sweep_length);
     }
-    constexpr double kAround = 1.4;  // triangles in and round the band, for each of the band's own
-    const double triangles = kAround * 2 * columns * sweep_length / Grading::widest(sweep_length);
-    if (triangles > kMostTriangles) {
-      resolution.coarseness = std::sqrt(triangles / kMostTriangles);
-      for (Size& s : resolution.sizes) s.size *= resolution.coarseness;
-      std::ostringstream message;
-      message << "solid '" << bodies[line.solid].name << "': its contour of " << std::setprecision(3) << length
-              << " m is too long for the usual resolution: its meniscus is " << resolution.coarseness
-              << " times as coarse, to stay below two million triangles";
-      warnings.push_back(message.str());
-    }
+    whole += length;
     result.push_back(std::move(resolution));
   }
+  if (triangles <= kMostTriangles) return result;
+  const double coarseness = std::sqrt(triangles / kMostTriangles);
+  for (Resolution& resolution : result) {
+    resolution.coarseness = coarseness;
+    for (Size& s : resolution.sizes) s.size *= coarseness;
+  }
+  std::ostringstream message;
+  message << "solid '" << bodies[lines.front().solid].name << "'";
+  if (lines.size() > 1)
+    message << " and others: their contours";
+  else
+    message << ": its contour";
+  message << " of " << std::setprecision(3) << whole << " m " << (lines.size() > 1 ? "are" : "is")
+          << " too long for the usual resolution: the menisci are " << coarseness
+          << " times as coarse, to stay below two million triangles";
+  warnings.push_back(message.str());
   return result;
 }
 

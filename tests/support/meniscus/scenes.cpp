@@ -190,8 +190,8 @@ std::vector<Case> make_cases() {
   add("TubeTilted", [] { return in(level(), {turned(pipe(4, 5), 30, kX)}); }, {2, 0, 2, 3});
   add("TubeThin", [] { return in(level(), {pipe(0.5, 0.6)}); }, {2, 0, 2, 3});
   add("RingChain", [] { return in(level(), chain(5)); }, {10, 0, 4, 11});
-  add("Needles", [] { return in(level(40), needles(40, 30 * kMm, 0.3 * kMm, 60 * kMm, 30, 2.5 * kMm)); },
-      {40, 0, 1, 41});
+  add("Needles", [] { return in(level(30), needles(12, 15 * kMm, 0.3 * kMm, 60 * kMm, 30, 2.5 * kMm)); },
+      {12, 0, 1, 13});
   add("ThousandNeedles",
       [] { return in(level(120, 40), needles(1000, 110 * kMm, 0.2 * kMm, 40 * kMm, 30, 1.5 * kMm)); },
       {1000, 0, 1, 1001})

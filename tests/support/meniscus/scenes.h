@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Case {
   bool slow = false;        // for the sweep alone
 };
 const std::vector<Case>& cases();
+inline void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 
 // Everything larger by the factor, the capillary length too.
 Scene scaled(Scene scene, double factor);
