@@ -181,6 +181,9 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
     if (!patch.at(c.x) || patch.border_within(c.x, 0.5 * size)) continue;
     if (spacing.claim(c.x, (beyond ? 0.7 : 0.5) * size)) result.push_back({c.x, c.foot});
   }
+  // Line by line: whoever inserts them one after the other finds each near the one before.
+  std::stable_sort(result.begin(), result.end(),
+                   [](const BandPoint& a, const BandPoint& b) { return a.foot.line < b.foot.line; });
   return result;
 }
 

@@ -33,14 +33,32 @@ void find_bases(Raised& raised, const Topology& liquid, const std::vector<std::u
   }
 }
 
-// Lifts the vertices whose feet are on the `changed` lines.
-void lift_all(Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines,
-              const std::vector<bool>& changed) {
-  for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
+// Which vertices and which triangles of menisci have feet on each line.
+struct Members {
+  std::vector<std::vector<std::uint32_t>> vertices, triangles;
+};
+
+Members find_members(const Raised& raised, const Sheet& sheet, std::size_t lines) {
+  Members of{std::vector<std::vector<std::uint32_t>>(lines), std::vector<std::vector<std::uint32_t>>(lines)};
+  for (std::uint32_t i = 0; i < sheet.vertices.size(); ++i) {
     const Foot& foot = sheet.vertices[i].foot;
-    if (!raised.used[i] || (foot.exists() && !changed[foot.line])) continue;
-    raised.at[i] =
-        lift(foot, foot.exists() ? lines[foot.line].sweep : 0, raised.base[i].position, raised.base[i].normal);
+    if (raised.used[i] && foot.exists()) of.vertices[foot.line].push_back(i);
+  }
+  for (std::uint32_t t = 0; t < sheet.triangles.size(); ++t) {
+    if (!sheet.raised[t]) continue;
+    for (int k = 0; k < 3; ++k) {
+      const Foot& foot = sheet.vertices[sheet.triangles[t][k]].foot;
+      if (!foot.exists()) continue;
+      auto& triangles = of.triangles[foot.line];
+      if (triangles.empty() || triangles.back() != t) triangles.push_back(t);
+    }
+  }
+  return of;
+}
+
+void lift_vertices(Raised& raised, const Sheet& sheet, const std::vector<std::uint32_t>& vertices, double sweep) {
+  for (const std::uint32_t i : vertices) {
+    raised.at[i] = lift(sheet.vertices[i].foot, sweep, raised.base[i].position, raised.base[i].normal);
   }
 }
 
@@ -63,22 +81,15 @@ bool cuts(const glm::dvec3 at[3], const Body& body) {
 }
 
 // Marks the nodes that turn triangles over, squeeze them, draw them out or push them into the solid. Returns whether
-// there are any. Looks only at menisci that the `changed` lines have to do with.
+// there are any. Looks at the given triangles.
 bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<ContactLine>& lines,
-                const std::vector<Body>& bodies, const std::vector<bool>& changed, Marks& marks) {
+                const std::vector<Body>& bodies, const std::vector<std::uint32_t>& triangles, Marks& marks) {
   constexpr double kThinnest = 0.0007;  // 1.5 degrees
   bool any = false;
   const auto slide = [](const Foot& foot) {
     return glm::length(foot.from->slide + foot.t * (foot.to->slide - foot.from->slide));
   };
-  for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
-    if (!sheet.raised[t]) continue;
-    bool concerned = false;
-    for (int k = 0; k < 3; ++k) {
-      const Foot& foot = sheet.vertices[sheet.triangles[t][k]].foot;
-      concerned = concerned || (foot.exists() && changed[foot.line]);
-    }
-    if (!concerned) continue;
+  for (const std::uint32_t t : triangles) {
     glm::dvec2 was[3], is[3];
     glm::dvec3 base[3], at[3];
     double most = 0;
@@ -133,16 +144,23 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
   raised.at.resize(sheet.vertices.size());
   for (const glm::uvec3& t : sheet.triangles) raised.used[t.x] = raised.used[t.y] = raised.used[t.z] = true;
   find_bases(raised, liquid, surface, patch, sheet);
-  std::vector<bool> changed(lines.size(), true);
-  lift_all(raised, sheet, lines, changed);
+  for (std::size_t i = 0; i < sheet.vertices.size(); ++i)
+    raised.at[i] = {raised.base[i].position, raised.base[i].normal};
+  const Members of = find_members(raised, sheet, lines.size());
+  for (std::size_t l = 0; l < lines.size(); ++l) lift_vertices(raised, sheet, of.vertices[l], lines[l].sweep);
 
   Marks lowered;
   for (const ContactLine& line : lines) lowered.emplace_back(line.nodes.size(), false);
+  std::vector<bool> changed(lines.size(), true);
   constexpr int kRounds = 30, kToLevel = 10;
   for (int round = 0; round < kRounds; ++round) {
     Marks marks;
     for (const ContactLine& line : lines) marks.emplace_back(line.nodes.size(), false);
-    if (!find_folds(raised, sheet, lines, bodies, changed, marks)) break;
+    bool any = false;
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      if (changed[l] && find_folds(raised, sheet, lines, bodies, of.triangles[l], marks)) any = true;
+    }
+    if (!any) break;
     for (std::size_t l = 0; l < lines.size(); ++l) {
       changed[l] = std::find(marks[l].begin(), marks[l].end(), true) != marks[l].end();
       if (!changed[l]) continue;
@@ -153,8 +171,8 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
         if (lines[l].nodes[i].room < 0.95 * before[i]) lowered[l][i] = true;
       bond(lines[l], bodies[lines[l].solid], parameters);
       differentiate(lines[l]);
+      lift_vertices(raised, sheet, of.vertices[l], lines[l].sweep);
     }
-    lift_all(raised, sheet, lines, changed);
   }
   std::map<std::string, Share> shares;
   for (std::size_t l = 0; l < lines.size(); ++l) {
