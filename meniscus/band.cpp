@@ -1,6 +1,7 @@
 #include "meniscus/band.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
 
@@ -12,18 +13,15 @@ namespace {
 constexpr double kFirst = 1.0 / 180, kMost = 1.0 / 66;  // spacing of layers in sweep lengths: at the wall, in the band
 constexpr double kGrowth = 0.08, kGrowthBeyond = 0.3;   // of the spacing, per distance
 
+// A point on a column. In a fan halves come before quarters: what is thinned out stays even.
 struct Candidate {
   double distance;
-  std::size_t line;
-  int rank;  // in a fan, halves come before quarters: what is thinned out stays even
-  std::size_t node;
-  glm::dvec2 x;
-  Foot foot;
+  std::uint32_t line, rank, column;
 };
 
 // Where a column starts and in which direction it goes.
 struct Column {
-  int rank;
+  std::uint32_t rank;
   glm::dvec2 origin;
   Foot foot;
 };
@@ -36,8 +34,8 @@ glm::dvec2 rotated(const glm::dvec2& d, double a) {
 int steps_for(double turn) { return 2 * static_cast<int>(std::ceil(-turn / (2 * kColumnTurn))); }
 
 // In a fan, halves come before quarters.
-int rank_of(int step, int steps) {
-  int rank = step == 0 || step == steps ? 0 : 32;
+std::uint32_t rank_of(int step, int steps) {
+  std::uint32_t rank = step == 0 || step == steps ? 0 : 32;
   for (int k = step; rank > 1 && k % 2 == 0; k /= 2) --rank;
   return rank;
 }
@@ -118,30 +116,46 @@ std::vector<double> Grading::layers(double extent) const {
   return result;
 }
 
-Spacing::Cell Spacing::cell(const glm::dvec2& p) const {
-  return {static_cast<std::int64_t>(std::floor(p.x / size_)), static_cast<std::int64_t>(std::floor(p.y / size_))};
+std::size_t Spacing::bucket(double i, double j) const {
+  const auto x = static_cast<std::uint64_t>(static_cast<std::int64_t>(i)),
+             y = static_cast<std::uint64_t>(static_cast<std::int64_t>(j));
+  const std::uint64_t mixed = (x * 0x9e3779b97f4a7c15u ^ y) * 0xd6e8feb86659fd93u;
+  return static_cast<std::size_t>(mixed ^ mixed >> 32) & (first_.size() - 1);
 }
 
-void Spacing::coarsen(double radius) {
-  size_ = 2 * radius;
-  cells_.clear();
-  for (const glm::dvec2& p : points_) cells_[cell(p)].push_back(p);
+void Spacing::enter(std::uint32_t point) {
+  std::uint32_t& first = first_[bucket(std::floor(points_[point].x / size_), std::floor(points_[point].y / size_))];
+  next_[point] = first;
+  first = point;
+}
+
+void Spacing::rebuild(double size) {
+  size_ = size;
+  first_.assign(std::bit_ceil(2 * points_.size() + 64), kNone);
+  for (std::uint32_t i = 0; i < points_.size(); ++i) enter(i);
 }
 
 void Spacing::take(const glm::dvec2& p) {
   points_.push_back(p);
-  if (size_ > 0) cells_[cell(p)].push_back(p);
+  next_.push_back(kNone);
+  if (size_ == 0) return;
+  if (points_.size() > first_.size()) {
+    rebuild(size_);
+  } else {
+    enter(static_cast<std::uint32_t>(points_.size() - 1));
+  }
 }
 
 bool Spacing::claim(const glm::dvec2& p, double radius) {
-  if (radius > size_) coarsen(radius);
-  const Cell at = cell(p);
-  for (std::int64_t i = -1; i <= 1; ++i) {
-    for (std::int64_t j = -1; j <= 1; ++j) {
-      const auto found = cells_.find({at.first + i, at.second + j});
-      if (found == cells_.end()) continue;
-      for (const glm::dvec2& q : found->second) {
-        if (glm::distance(p, q) < radius) return false;
+  if (radius > size_) rebuild(2 * radius);
+  const double x = std::floor(p.x / size_), y = std::floor(p.y / size_);
+  // Only the cells within reach; one that shares a bucket with another adds points that are too far away.
+  const double left = std::floor((p.x - radius) / size_), right = std::floor((p.x + radius) / size_);
+  const double low = std::floor((p.y - radius) / size_), high = std::floor((p.y + radius) / size_);
+  for (double i = std::min(left, x); i <= right; ++i) {
+    for (double j = std::min(low, y); j <= high; ++j) {
+      for (std::uint32_t q = first_[bucket(i, j)]; q != kNone; q = next_[q]) {
+        if (glm::distance(p, points_[q]) < radius) return false;
       }
     }
   }
@@ -152,34 +166,37 @@ bool Spacing::claim(const glm::dvec2& p, double radius) {
 std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::vector<Grading>& gradings,
                              const Field& field, const Patch& patch, Spacing& spacing) {
   const double extent = glm::length(patch.box().high - patch.box().low);
+  std::vector<Column> columns;
   std::vector<Candidate> candidates;
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const std::vector<double> layers = gradings[l].layers(extent);
-    std::vector<Column> columns;
+    std::size_t c = columns.size();
     for (std::size_t i = 0; i < lines[l].nodes.size(); ++i) {
       add_columns(columns, lines[l], l, i);
       if (i < lines[l].segments()) add_columns_between(columns, lines[l], l, i);
     }
-    for (auto& [rank, origin, foot] : columns) {
+    for (; c < columns.size(); ++c) {
       for (const double d : layers) {
-        foot.distance = d;
-        const glm::dvec2 x = origin + d * foot.direction;
+        const glm::dvec2 x = columns[c].origin + d * columns[c].foot.direction;
         if (patch.box().distance(glm::dvec3(x, 0)) > 0) break;
         constexpr double kNearer = 1 - 1e-6;
         if (field.foot(x, kNearer * d).exists()) break;  // here the column ends: another foot is nearer from here on
-        candidates.push_back({d, l, rank, foot.node, x, foot});
+        candidates.push_back({d, static_cast<std::uint32_t>(l), columns[c].rank, static_cast<std::uint32_t>(c)});
       }
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return std::tie(a.distance, a.line, a.rank, a.node) < std::tie(b.distance, b.line, b.rank, b.node);
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.distance, a.line, a.rank, a.column) < std::tie(b.distance, b.line, b.rank, b.column);
   });
   std::vector<BandPoint> result;
   for (const Candidate& c : candidates) {
+    Foot foot = columns[c.column].foot;
+    foot.distance = c.distance;
+    const glm::dvec2 x = columns[c.column].origin + c.distance * foot.direction;
     const double size = gradings[c.line].spacing(c.distance);
     const bool beyond = c.distance > lines[c.line].sweep;
-    if (!patch.at(c.x) || patch.border_within(c.x, 0.5 * size)) continue;
-    if (spacing.claim(c.x, (beyond ? 0.7 : 0.5) * size)) result.push_back({c.x, c.foot});
+    if (!patch.at(x) || patch.border_within(x, 0.5 * size)) continue;
+    if (spacing.claim(x, (beyond ? 0.7 : 0.5) * size)) result.push_back({x, foot});
   }
   // Line by line: whoever inserts them one after the other finds each near the one before.
   std::stable_sort(result.begin(), result.end(),

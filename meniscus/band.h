@@ -2,7 +2,7 @@
 // figure 5).
 #pragma once
 
-#include <unordered_map>
+#include <cstdint>
 #include <vector>
 
 #include "meniscus/field.h"
@@ -34,18 +34,14 @@ class Spacing {
   void take(const glm::dvec2& p);
 
  private:
-  using Cell = std::pair<std::int64_t, std::int64_t>;
-  struct Hash {
-    std::size_t operator()(const Cell& c) const {
-      return static_cast<std::size_t>(c.first * 73856093 ^ c.second * 19349663);
-    }
-  };
-  Cell cell(const glm::dvec2& p) const;
-  void coarsen(double radius);
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::size_t bucket(double i, double j) const;
+  void enter(std::uint32_t point);
+  void rebuild(double size);
 
-  double size_ = 0;
+  double size_ = 0;  // of a cell
   std::vector<glm::dvec2> points_;
-  std::unordered_map<Cell, std::vector<glm::dvec2>, Hash> cells_;
+  std::vector<std::uint32_t> first_, next_;  // per bucket of cells the point entered last; per point the one before it
 };
 
 struct BandPoint {
