@@ -1,6 +1,7 @@
 #include "meniscus/body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "meniscus/predicates.h"
@@ -49,26 +50,27 @@ std::optional<Hit> shoot(const Body& body, const glm::dvec3& origin, const glm::
 
 std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& origin, const glm::dvec3& up,
                                          const glm::dvec3& direction, double reach) {
-  Box box;
-  box.add(origin);
   std::optional<Nearest> best;
-  body.tree.overlapping(box.grown(reach), [&](std::uint32_t t) {
+  double least = reach;
+  body.tree.nearest(origin, reach, [&](std::uint32_t t) {
     const glm::dvec3 n = body.mesh.area_normal(t);
-    if (!(glm::dot(n, direction) > 1e-9 * glm::length(n))) return;
-    std::vector<glm::dvec3> ends;  // of the facet's segment in the plane
+    if (!(glm::dot(n, direction) > 1e-9 * glm::length(n))) return least;
+    std::array<glm::dvec3, 3> ends;  // of the facet's segment in the plane
+    std::size_t count = 0;
     for (int i = 0; i < 3; ++i) {
       const glm::dvec3 a = body.mesh.corner(t, i), b = body.mesh.corner(t, (i + 1) % 3);
       const double da = glm::dot(a - origin, up), db = glm::dot(b - origin, up);
-      if ((da < 0) != (db < 0)) ends.push_back(a + da / (da - db) * (b - a));
+      if ((da < 0) != (db < 0)) ends[count++] = a + da / (da - db) * (b - a);
     }
-    if (ends.size() < 2) return;
+    if (count < 2) return least;
     const glm::dvec3 e = ends[1] - ends[0];
     const double square = glm::dot(e, e);
     const double along = square > 0 ? glm::clamp(glm::dot(origin - ends[0], e) / square, 0.0, 1.0) : 0;
     const glm::dvec3 p = ends[0] + along * e;
     const double distance = glm::distance(p, origin);
-    if (distance > reach || (best && distance >= glm::distance(best->hit.position, origin))) return;
+    if (best ? distance >= least : distance > least) return least;
     best = {make_hit(body.mesh, t, p), glm::dot(origin - p, n) < 0};
+    return least = distance;
   });
   return best;
 }

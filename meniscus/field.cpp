@@ -97,11 +97,13 @@ Foot Field::foot_on(const Element& element, const glm::dvec2& x) const {
   return foot;
 }
 
-double Field::free_length(const glm::dvec2& from, const glm::dvec2& direction, double limit) const {
+double Field::free_length(const glm::dvec2& from, const glm::dvec2& direction, double limit, int tries) const {
   constexpr double kNearer = 1 - 1e-6;
   const auto own = [&](double d) { return !foot(from + d * direction, kNearer * d).exists(); };
-  if (own(limit)) return limit;
-  double low = 0, high = limit;
+  int k = 1;
+  while (k <= tries && own(limit * k / tries)) ++k;
+  if (k > tries) return limit;
+  double low = limit * (k - 1) / tries, high = limit * k / tries;
   for (int i = 0; i < 12; ++i) {
     const double middle = 0.5 * (low + high);
     (own(middle) ? low : high) = middle;

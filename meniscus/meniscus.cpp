@@ -124,7 +124,7 @@ void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
       for (const Side* side : {&node.contact, &node.before, &node.after}) {
         if (side != &node.contact && !node.joint) continue;
         const double limit = std::min(reach, node.free);
-        node.free = std::min(node.free, field.free_length(planar(node.position), side->direction, limit));
+        node.free = std::min(node.free, field.free_length(planar(node.position), side->direction, limit, 8));
       }
     }
   }

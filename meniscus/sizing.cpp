@@ -21,7 +21,7 @@ constexpr double kUnset = 1e300;
 double free_length(const Node& node, const Field& field, const Patch& patch, double sweep) {
   const glm::dvec2 from = planar(node.position);
   if (!patch.at(from + kWithinPatch * sweep * node.contact.direction)) return 0;
-  return field.free_length(from, node.contact.direction, sweep);
+  return field.free_length(from, node.contact.direction, sweep, 1);
 }
 
 // Leaves no size larger than that of a neighbour plus the growth over the distance between them.
