@@ -52,9 +52,14 @@ std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& ori
                                          const glm::dvec3& direction, double reach) {
   std::optional<Nearest> best;
   double least = reach;
-  body.tree.nearest(origin, reach, [&](std::uint32_t t) {
+  Box box;  // round the part of the plane within reach
+  box.add(origin);
+  box = box.grown(reach);
+  const double slant = reach * std::sqrt(std::max(1 - up.y * up.y, 0.0));
+  box.low.y = origin.y - slant, box.high.y = origin.y + slant;
+  body.tree.overlapping(box, [&](std::uint32_t t) {
     const glm::dvec3 n = body.mesh.area_normal(t);
-    if (!(glm::dot(n, direction) > 1e-9 * glm::length(n))) return least;
+    if (!(glm::dot(n, direction) > 1e-9 * glm::length(n))) return;
     std::array<glm::dvec3, 3> ends;  // of the facet's segment in the plane
     std::size_t count = 0;
     for (int i = 0; i < 3; ++i) {
@@ -62,15 +67,15 @@ std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& ori
       const double da = glm::dot(a - origin, up), db = glm::dot(b - origin, up);
       if ((da < 0) != (db < 0)) ends[count++] = a + da / (da - db) * (b - a);
     }
-    if (count < 2) return least;
+    if (count < 2) return;
     const glm::dvec3 e = ends[1] - ends[0];
     const double square = glm::dot(e, e);
     const double along = square > 0 ? glm::clamp(glm::dot(origin - ends[0], e) / square, 0.0, 1.0) : 0;
     const glm::dvec3 p = ends[0] + along * e;
     const double distance = glm::distance(p, origin);
-    if (best ? distance >= least : distance > least) return least;
+    if (best ? distance >= least : distance > least) return;
     best = {make_hit(body.mesh, t, p), glm::dot(origin - p, n) < 0};
-    return least = distance;
+    least = distance;
   });
   return best;
 }
