@@ -101,23 +101,31 @@ double depth_within(const Body& body, const glm::dvec3& p) {
     if (glm::dot(body.mesh.corner(t, 0) - p, n) * n.y > 0) winding += round;
   });
   if (winding == 0) return 0;
-  double least = glm::length(bounds.high - bounds.low);
-  body.tree.nearest(p, least,
-                    [&](std::uint32_t t) { return least = std::min(least, distance_to_triangle(body.mesh, t, p)); });
-  return least;
+  return glm::distance(p, nearest_on_solid(body, p));
 }
 
-double distance_to_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {
+glm::dvec3 nearest_on_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {
   const glm::dvec3 n = mesh.area_normal(t);
   bool over = glm::dot(n, n) > 0;
-  double least = std::numeric_limits<double>::infinity();
+  glm::dvec3 best = mesh.corner(t, 0);
   for (int i = 0; i < 3; ++i) {
     const glm::dvec3 a = mesh.corner(t, i), e = mesh.corner(t, (i + 1) % 3) - a;
     over = over && glm::dot(glm::cross(e, p - a), n) >= 0;
-    const double along = glm::clamp(glm::dot(p - a, e) / glm::dot(e, e), 0.0, 1.0);
-    least = std::min(least, glm::distance(p, a + along * e));
+    const glm::dvec3 q = a + glm::clamp(glm::dot(p - a, e) / glm::dot(e, e), 0.0, 1.0) * e;
+    if (glm::distance(p, q) < glm::distance(p, best)) best = q;
   }
-  return over ? std::abs(glm::dot(p - mesh.corner(t, 0), n)) / glm::length(n) : least;
+  return over ? p - glm::dot(p - mesh.corner(t, 0), n) / glm::dot(n, n) * n : best;
+}
+
+glm::dvec3 nearest_on_solid(const Body& body, const glm::dvec3& p) {
+  glm::dvec3 best = p;
+  double least = std::numeric_limits<double>::infinity();
+  body.tree.nearest(p, least, [&](std::uint32_t t) {
+    const glm::dvec3 q = nearest_on_triangle(body.mesh, t, p);
+    if (glm::distance(p, q) < least) least = glm::distance(p, q), best = q;
+    return least;
+  });
+  return best;
 }
 
 }  // namespace meniscus

@@ -39,7 +39,8 @@ std::optional<Nearest> nearest_at_height(const Body& body, const glm::dvec3& ori
 // How far p lies within the solid, 0 outside of it: by the facets above it, from which the nearest is sought.
 double depth_within(const Body& body, const glm::dvec3& p);
 
-// From p to the nearest point of triangle t.
-double distance_to_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p);
+// The point of triangle t, and of the whole solid, that is nearest to p.
+glm::dvec3 nearest_on_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p);
+glm::dvec3 nearest_on_solid(const Body& body, const glm::dvec3& p);
 
 }  // namespace meniscus

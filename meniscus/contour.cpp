@@ -178,6 +178,7 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
   }
   std::vector<bool> used(segments.size(), false);
   std::vector<Contour> result;
+  std::size_t open = 0;
   const auto follow = [&](std::uint32_t first) {
     Contour contour{false, {}};
     std::optional<glm::dvec3> before;
@@ -211,9 +212,7 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
     if (contour.closed || (contour.points.front().border && contour.points.back().border)) {
       result.push_back(std::move(contour));
     } else {
-      warnings.push_back("solid '" + solid_name +
-                         "' is open where it meets the liquid: a contour that ends within the liquid "
-                         "encloses nothing and gets no meniscus; close the solid or give it thickness");
+      ++open;
     }
   };
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
@@ -221,6 +220,11 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
   }
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
     if (!used[s]) follow(s);
+  }
+  if (open > 0) {
+    warnings.push_back("solid '" + solid_name + "' is open where it meets the liquid: " + std::to_string(open) +
+                       (open == 1 ? " contour that ends" : " contours that end") +
+                       " within the liquid enclose nothing and get no meniscus; close the solid or give it thickness");
   }
   return result;
 }

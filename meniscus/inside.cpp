@@ -12,14 +12,19 @@ namespace {
 
 constexpr std::uint32_t kNone = Triangulation::kNone;
 
-// Number of solids round p, from their winding numbers; `doubt` is how far from whole numbers these are.
-int solids_around(const std::vector<Body>& bodies, const glm::dvec3& p, double& doubt) {
-  int around = 0;
-  doubt = 0;
+// Of solids round a point, from their winding numbers.
+struct Around {
+  int count = 0;
+  double doubt = 0;      // how far from whole numbers these are
+  std::string doubtful;  // the solid whose is farthest
+};
+
+Around solids_around(const std::vector<Body>& bodies, const glm::dvec3& p) {
+  Around around;
   for (const Body& body : bodies) {
-    const double winding = winding_number(body.mesh, p);
-    around += static_cast<int>(std::lround(winding));
-    doubt = std::max(doubt, std::abs(winding - std::round(winding)));
+    const double winding = winding_number(body.mesh, p), doubt = std::abs(winding - std::round(winding));
+    around.count += static_cast<int>(std::lround(winding));
+    if (doubt > around.doubt) around.doubt = doubt, around.doubtful = body.name;
   }
   return around;
 }
@@ -67,16 +72,15 @@ Winding find_windings(const Triangulation& mesh, const Patch& base, const std::v
     const auto larger = [&](std::uint32_t a, std::uint32_t b) { return std::pair(area(a), b) > std::pair(area(b), a); };
     std::partial_sort(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(tries), part.end(), larger);
     int shift = 0;
-    double doubt = 1;
-    for (std::size_t k = 0; k < tries && doubt > 0.25; ++k) {
+    Around best{0, 1, {}};
+    for (std::size_t k = 0; k < tries && best.doubt > 0.25; ++k) {
       const auto& v = triangles[part[k]].v;
       const glm::dvec2 x = (mesh.points()[v[0]] + mesh.points()[v[1]] + mesh.points()[v[2]]) / 3.0;
-      double d = 0;
-      const int around = solids_around(bodies, base.clamped(x).position, d);
-      if (d < doubt) doubt = d, shift = around - result.solid[part[k]];
+      const Around around = solids_around(bodies, base.clamped(x).position);
+      if (around.doubt < best.doubt) best = around, shift = around.count - result.solid[part[k]];
     }
-    if (doubt > 0.25)
-      warnings.push_back("which side of the solids is liquid is doubtful: some solid is open; close it");
+    if (best.doubt > 0.25)
+      warnings.push_back("solid '" + best.doubtful + "' is open: which side of it is liquid is a guess; close it");
     for (const std::uint32_t u : part) result.solid[u] += shift;
   }
   return result;
@@ -127,9 +131,8 @@ std::vector<bool> find_drowned(const Topology& liquid, const std::vector<std::ui
       const glm::dvec3 centre = (liquid.corner(first, 0) + liquid.corner(first, 1) + liquid.corner(first, 2)) / 3.0;
       Box point;
       point.add(centre);
-      double doubt = 0;
       const bool near = std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return b.overlaps(point); });
-      answer = near && solids_around(bodies, centre, doubt) > 0;
+      answer = near && solids_around(bodies, centre).count > 0;
     }
     for (const std::uint32_t t : part) drowned[t] = *answer;
   }

@@ -30,8 +30,7 @@ Topology weld_liquid(const Liquid& liquid, std::vector<std::uint32_t>& surface, 
   surface = free_surface(mesh);
   if (surface.empty()) {
     for (Topology::Triangle& t : mesh.triangles) {
-      std::swap(t.points[1], t.points[2]), std::swap(t.vertices[1], t.vertices[2]),
-          std::swap(t.normals[1], t.normals[2]);
+      t.turn();
       for (glm::dvec3& n : t.normals) n = -n;
     }
     surface = free_surface(mesh);
@@ -87,7 +86,7 @@ void straighten_normals(Topology& mesh) {
     }
 }
 
-std::vector<Body> weld_solids(const std::vector<Solid>& solids) {
+std::vector<Body> weld_solids(const std::vector<Solid>& solids, std::vector<std::string>& warnings) {
   std::vector<Body> bodies;
   for (const Solid& solid : solids) {
     if (!(solid.contact_angle >= 0 && solid.contact_angle <= 3.1415926536)) {
@@ -95,6 +94,10 @@ std::vector<Body> weld_solids(const std::vector<Solid>& solids) {
     }
     Topology mesh = weld(solid.mesh, solid.name);
     drop_repeated(mesh);
+    if (const std::size_t turned = orient_alike(mesh)) {
+      warnings.push_back("solid '" + solid.name + "': " + std::to_string(turned) +
+                         " triangles face the other way than their neighbours: taken as turned over");
+    }
     orient_outward(mesh);
     straighten_normals(mesh);
     std::vector<Box> boxes;
@@ -102,6 +105,19 @@ std::vector<Body> weld_solids(const std::vector<Solid>& solids) {
     bodies.push_back({solid.name, std::move(mesh), Tree(std::move(boxes)), solid.contact_angle});
   }
   return bodies;
+}
+
+TriangleMesh liquid_as_it_is(const Topology& liquid) {
+  TriangleMesh mesh;
+  for (const Topology::Triangle& t : liquid.triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (int i = 0; i < 3; ++i) {
+      mesh.positions.push_back(liquid.points[t.points[i]]);
+      mesh.normals.push_back(t.normals[i]);
+    }
+    mesh.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  return mesh;
 }
 
 Contact describe(const ContactLine& line, const Body& body) {
@@ -169,7 +185,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   Surface result;
   std::vector<std::uint32_t> surface;
   Topology level = weld_liquid(liquid, surface, result.warnings);
-  const std::vector<Body> bodies = weld_solids(solids);
+  const std::vector<Body> bodies = weld_solids(solids, result.warnings);
   constexpr double kSnap = 0.02;  // capillary lengths
   snap_border(level, surface, liquid.name, bodies, kSnap * liquid.capillary_length, result.warnings);
   const double reach = sweep_length(liquid);
@@ -202,6 +218,14 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
                               " of its length: the solid ends before the meniscus does, or slants too much for it");
   }
   const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, result.warnings);
+  if (sheet.overlaps) {
+    result.warnings.push_back("liquid '" + liquid.name + "' lies over itself, seen from above, near solid '" +
+                              bodies[lines.front().solid].name + (lines.size() > 1 ? "' or another" : "'") +
+                              ": it is left as it is, without menisci");
+    result.mesh = liquid_as_it_is(level);
+    result.meniscus.assign(result.mesh.triangles.size(), 0);
+    return result;
+  }
   const Raised raised = raise(level, surface, patch, sheet, lines, bodies, liquid, result.warnings);
   Stitched stitched = stitch(level, surface, patch, sheet, raised, bodies);
   if (!lines.empty()) check(liquid, stitched, lines, bodies, result.warnings);

@@ -174,6 +174,11 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
       lift_vertices(raised, sheet, of.vertices[l], lines[l].sweep);
     }
   }
+  for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {  // where lines cross there is no node to be bonded
+    const Sheet::Vertex& vertex = sheet.vertices[i];
+    if (!raised.used[i] || !vertex.crossing || !vertex.foot.exists()) continue;
+    raised.at[i].position = nearest_on_solid(bodies[lines[vertex.foot.line].solid], raised.at[i].position);
+  }
   std::map<std::string, Share> shares;
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const auto count = std::count(lowered[l].begin(), lowered[l].end(), true);

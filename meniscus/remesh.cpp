@@ -167,6 +167,8 @@ Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<Conta
   const auto kept = [&](std::uint32_t t) { return t != kNone && winding.patch[t] > 0 && winding.solid[t] <= 0; };
 
   Sheet sheet;
+  sheet.overlaps = std::any_of(winding.patch.begin(), winding.patch.end(), [](int w) { return w < 0 || w > 1; });
+  if (sheet.overlaps) return sheet;
   sheet.vertices = std::move(builder.vertices());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const auto& v = triangles[t].v;

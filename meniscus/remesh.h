@@ -25,6 +25,7 @@ struct Sheet {
   std::vector<glm::uvec3> triangles;  // counter-clockwise from above
   std::vector<bool> raised;           // per triangle: on a meniscus
   std::vector<Edge> drowned;          // edges of the patch's border that lie inside a solid
+  bool overlaps = false;              // the patch lies over itself in projection: nothing of this is of use
 };
 
 Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<ContactLine>& lines,

@@ -38,7 +38,7 @@ void snap_border(Topology& liquid, const std::vector<std::uint32_t>& surface, co
         const glm::dvec3 n = glm::normalize(body.mesh.area_normal(t));
         const bool faces = std::any_of(normals.begin(), normals.end(),
                                        [&](const glm::dvec2& o) { return glm::dot(n, lifted(o, 0)) < kFacing; });
-        wall = wall || (faces && distance_to_triangle(body.mesh, t, at) <= tolerance);
+        wall = wall || (faces && glm::distance(nearest_on_triangle(body.mesh, t, at), at) <= tolerance);
       });
       if (!wall) continue;
       liquid.points[p] = at + 2 * tolerance * out;

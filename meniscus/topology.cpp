@@ -5,6 +5,8 @@
 #include <glm/gtc/constants.hpp>
 #include <stdexcept>
 
+#include "meniscus/edges.h"
+
 namespace meniscus {
 namespace {
 
@@ -65,6 +67,55 @@ Topology weld(const TriangleMesh& mesh, const std::string& name) {
   return result;
 }
 
+std::size_t orient_alike(Topology& solid) {
+  struct Uses {
+    std::uint32_t count = 0, side[2] = {0, 0};  // as 3 * triangle + side
+  };
+  const auto forward = [&](std::uint32_t use) {
+    const glm::uvec3& v = solid.triangles[use / 3].points;
+    return v[use % 3] < v[(use + 1) % 3];
+  };
+  EdgeMap<Uses> uses(3 * solid.triangles.size());
+  bool alike = true;
+  for (std::uint32_t t = 0; t < solid.triangles.size(); ++t) {
+    const glm::uvec3& v = solid.triangles[t].points;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      Uses& of = uses[edge(v[i], v[(i + 1) % 3])];
+      if (of.count < 2) of.side[of.count] = 3 * t + i;
+      ++of.count;
+      if (of.count == 2 && forward(of.side[0]) == forward(of.side[1])) alike = false;
+    }
+  }
+  if (alike) return 0;
+
+  std::size_t turned = 0;
+  std::vector<int> sense(solid.triangles.size(), 0);
+  for (std::uint32_t first = 0; first < solid.triangles.size(); ++first) {
+    if (sense[first] != 0) continue;
+    std::vector<std::uint32_t> part{first};
+    sense[first] = 1;
+    double area[2] = {0, 0};
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const std::uint32_t t = part[k];
+      const glm::uvec3& v = solid.triangles[t].points;
+      area[sense[t] > 0] += glm::length(solid.area_normal(t));
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Uses& of = uses[edge(v[i], v[(i + 1) % 3])];
+        if (of.count != 2) continue;
+        const std::uint32_t other = (of.side[0] == 3 * t + i ? of.side[1] : of.side[0]) / 3;
+        if (sense[other] != 0) continue;
+        sense[other] = forward(of.side[0]) == forward(of.side[1]) ? -sense[t] : sense[t];
+        part.push_back(other);
+      }
+    }
+    const int wrong = area[1] >= area[0] ? -1 : 1;
+    for (const std::uint32_t t : part) {
+      if (sense[t] == wrong) solid.triangles[t].turn(), ++turned;
+    }
+  }
+  return turned;
+}
+
 bool orient_outward(Topology& solid) {
   Box box;
   for (const glm::dvec3& p : solid.points) box.add(p);
@@ -76,11 +127,7 @@ bool orient_outward(Topology& solid) {
   const bool turn = volume < 0;
   for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
     Topology::Triangle& triangle = solid.triangles[t];
-    if (turn) {
-      std::swap(triangle.points[1], triangle.points[2]);
-      std::swap(triangle.vertices[1], triangle.vertices[2]);
-      std::swap(triangle.normals[1], triangle.normals[2]);
-    }
+    if (turn) triangle.turn();
     const glm::dvec3 facet = solid.area_normal(t);
     for (glm::dvec3& normal : triangle.normals) {
       if (glm::dot(normal, facet) < 0) normal = -normal;

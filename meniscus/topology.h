@@ -21,6 +21,11 @@ struct Topology {
     glm::uvec3 points;    // into Topology::points
     glm::uvec3 vertices;  // into the mesh it came from
     glm::dvec3 normals[3];
+
+    // Round the other way; the normals stay.
+    void turn() {
+      std::swap(points[1], points[2]), std::swap(vertices[1], vertices[2]), std::swap(normals[1], normals[2]);
+    }
   };
   std::vector<glm::dvec3> points;
   std::vector<Triangle> triangles;
@@ -40,6 +45,10 @@ struct Topology {
 // Welds points of exactly equal position; missing normals become facet normals, all are made unit length.
 // Throws std::invalid_argument, naming the object, where an index, a position or the number of normals is unusable.
 Topology weld(const TriangleMesh& mesh, const std::string& name);
+
+// Turns triangles so that neighbours across an edge of two go round the same way, the smaller area of each connected
+// part to the larger. Returns how many were turned.
+std::size_t orient_alike(Topology& solid);
 
 // Turns the solid inside out if it encloses a negative volume, and every normal to its facet's side.
 // Returns whether it had to be turned.

@@ -103,6 +103,11 @@ TriangleMesh with_slivers(TriangleMesh mesh) {  // doubled, flat and needle-like
   return mesh;
 }
 
+TriangleMesh with_mixed_windings(TriangleMesh mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) std::swap(mesh.triangles[t].x, mesh.triangles[t].y);
+  return mesh;
+}
+
 TriangleMesh doubled(TriangleMesh mesh) {
   const auto once = mesh.triangles;
   mesh.triangles.insert(mesh.triangles.end(), once.begin(), once.end());
@@ -318,6 +323,29 @@ std::vector<Case> make_cases() {
         return in(level(), {plate});
       },
       {0, 0, 1, 1, 0, {"open where it meets"}})
+      .ill = true;
+  add("MixedWindings", [] { return in(level(), {with_mixed_windings(ball(5, 1))}); },
+      {1, 0, 1, 2, 0, {"face the other way than their neighbours"}})
+      .ill = true;
+  add("CurlingWave",
+      [] {
+        TriangleMesh wave = level(40, 80);
+        for (dvec3& p : wave.positions) {
+          p += dvec3(7 * kMm * std::sin(p.x / (4 * kMm) + 1), 0.6 * p.x, 0);
+        }
+        wave.normals.clear();
+        return in(wave, {long_post()});
+      },
+      {0, 0, 1, 1, 0, {"lies over itself"}})
+      .ill = true;
+  add("SheetOfSolidAcross",
+      [] {
+        TriangleMesh wall;
+        add_triangle(wall, mm(-90, -90, 1), mm(90, -90, 1), mm(90, 90, 1), kZ);
+        add_triangle(wall, mm(-90, -90, 1), mm(90, 90, 1), mm(-90, 90, 1), kZ);
+        return in(level(), {wall});
+      },
+      {1, 1, 1, 1, 0, {"solid 0' is open: which side"}})
       .ill = true;
   for (const char* name :
        {"PostTilted60", "PostTilted75", "CubeOnEdge", "CubeOnCorner", "StarTilted", "Helix", "TorusTilted", "RingChain",
