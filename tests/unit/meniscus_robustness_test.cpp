@@ -49,10 +49,10 @@ void expect_warnings(const Surface& surface, const Case& scene) {
 }
 
 // `scale` is that of the scene: lengths in metres are for 1.
-void expect_sound(const Surface& surface, const Scene& scene, bool thin_walls, double scale) {
+void expect_sound(const Surface& surface, const Scene& scene, bool thin, double scale) {
   const auto& mesh = surface.mesh;
   EXPECT_EQ(soundness::self_intersections(mesh), 0u);
-  if (!thin_walls) {
+  if (!thin) {
     EXPECT_GE(soundness::smallest_new_angle(mesh, scene.liquid.mesh), 1);
   }
   std::vector<soundness::Shell> shells;
@@ -97,7 +97,7 @@ TEST_P(Generated, IsSound) {
   const Surface surface = build(scene.liquid, scene.solids);
   expect_topology(surface, GetParam().expected);
   expect_warnings(surface, GetParam());
-  expect_sound(surface, scene, GetParam().thin_walls, 1);
+  expect_sound(surface, scene, GetParam().thin, 1);
   if (!GetParam().ill) expect_coverage(scene);
 }
 
@@ -109,13 +109,13 @@ TEST_P(Generated, SweepOfScalesAndPlaces) {
     const Surface surface = build(other.liquid, other.solids);
     expect_topology(surface, GetParam().expected);
     expect_warnings(surface, GetParam());
-    expect_sound(surface, other, GetParam().thin_walls, scale);
+    expect_sound(surface, other, GetParam().thin, scale);
   }
   SCOPED_TRACE("far away");
   const Scene other = rounded_at(scene, {1e4, -300, -7e3});
   const Surface surface = build(other.liquid, other.solids);
   expect_topology(surface, GetParam().expected);
-  expect_sound(surface, other, GetParam().thin_walls, 1);
+  expect_sound(surface, other, GetParam().thin, 1);
 }
 
 std::string name(const testing::TestParamInfo<Case>& info) { return info.param.name; }

@@ -349,10 +349,11 @@ std::vector<Case> make_cases() {
       .ill = true;
   for (const char* name :
        {"PostTilted60", "PostTilted75", "CubeOnEdge", "CubeOnCorner", "StarTilted", "Helix", "TorusTilted", "RingChain",
-        "Needles", "ThousandNeedles", "PaperClip", "Hair", "Teapot", "TrayOfAll"}) {
+        "Needles", "ThousandNeedles", "PaperClip", "Hair", "Teapot", "TrayOfAll", "SheetOfSolid"}) {
     for (Case& c : result) c.held = c.held || c.name.starts_with(name);
   }
-  for (Case& c : result) c.thin_walls = c.name == "PostAtBlocksBorder";
+  // A wall's large facet divided along one edge; a sheet of solid whose other side has no columns.
+  for (Case& c : result) c.thin = c.name == "PostAtBlocksBorder" || c.name == "SheetOfSolidAcross";
   return result;
 }
 

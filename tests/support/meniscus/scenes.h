@@ -28,10 +28,10 @@ struct Case {
   std::string name;
   std::function<Scene()> make;
   Expected expected;
-  bool held = false;        // the contact line may be pinned or lowered, with a warning
-  bool thin_walls = false;  // a large facet of a closed liquid is divided along one edge
-  bool ill = false;         // solids that enclose no volume: which side is liquid has no answer to compare with
-  bool slow = false;        // for the sweep alone
+  bool held = false;  // the contact line may be pinned or lowered, with a warning
+  bool thin = false;  // triangles below 1 degree remain
+  bool ill = false;   // solids that enclose no volume: which side is liquid has no answer to compare with
+  bool slow = false;  // for the sweep alone
 };
 const std::vector<Case>& cases();
 inline void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
