@@ -180,7 +180,7 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
         const glm::dvec2 x = columns[c].origin + d * columns[c].foot.direction;
         if (patch.box().distance(glm::dvec3(x, 0)) > 0) break;
         constexpr double kNearer = 1 - 1e-6;
-        if (field.foot(x, kNearer * d).exists()) break;  // here the column ends: another foot is nearer from here on
+        if (field.any_foot(x, kNearer * d)) break;  // here the column ends: another foot is nearer from here on
         candidates.push_back({d, static_cast<std::uint32_t>(l), columns[c].rank, static_cast<std::uint32_t>(c)});
       }
     }

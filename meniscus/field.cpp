@@ -97,9 +97,19 @@ Foot Field::foot_on(const Element& element, const glm::dvec2& x) const {
   return foot;
 }
 
+bool Field::any_foot(const glm::dvec2& x, double limit) const {
+  bool any = false;
+  tree_.nearest(flat(x), limit, [&](std::uint32_t i) {
+    const Foot foot = foot_on(elements_[i], x);
+    any = any || (foot.exists() && foot.distance <= limit);
+    return any ? -1 : limit;
+  });
+  return any;
+}
+
 double Field::free_length(const glm::dvec2& from, const glm::dvec2& direction, double limit, int tries) const {
   constexpr double kNearer = 1 - 1e-6;
-  const auto own = [&](double d) { return !foot(from + d * direction, kNearer * d).exists(); };
+  const auto own = [&](double d) { return !any_foot(from + d * direction, kNearer * d); };
   int k = 1;
   while (k <= tries && own(limit * k / tries)) ++k;
   if (k > tries) return limit;

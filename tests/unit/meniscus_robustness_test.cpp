@@ -71,7 +71,11 @@ void expect_sound(const Surface& surface, const Scene& scene, bool thin, double 
     // The walls of a closed liquid end within the solid that holds it.
     if (!raised[v] && std::any_of(shells.begin(), shells.end(), within)) continue;
     double least = 1e300;
-    for (const auto& shell : shells) least = std::min(least, shell.distance(mesh.positions[v]));
+    for (const auto& shell : shells) {
+      if (shell.box().distance(mesh.positions[v]) < least) {
+        least = std::min(least, shell.distance(mesh.positions[v]));
+      }
+    }
     farthest = std::max(farthest, least);
   }
   EXPECT_LE(farthest, 1e-7 * size) << "metres between the surface's edge and the solids";

@@ -211,6 +211,9 @@ std::vector<Shell::Hit> Shell::column(double x, double z) const {
 }
 
 int Shell::winding(const dvec3& p) const {
+  Box point;
+  point.add(p);
+  if (!box_.overlaps(point)) return 0;
   int sum = 0;
   for (const Hit& hit : column(p.x, p.z)) {
     if (hit.height > p.y) sum += hit.up ? 1 : -1;
