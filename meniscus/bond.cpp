@@ -112,7 +112,6 @@ double climb_from(const Climb& climb, Hit& at) {
 bool bond_side(Side& side, Node& node, const Body& body, double sweep, double height, const glm::dvec3& axis,
                const glm::dvec2& aside) {
   side.rise = 0, side.slide = glm::dvec2(0);
-  if (height == 0) return false;
   const glm::dvec3 up = node.liquid_normal;
   Climb climb{node,
               body,
@@ -125,7 +124,7 @@ bool bond_side(Side& side, Node& node, const Body& body, double sweep, double he
               false};
   const Hit level{node.position, side.solid_normal, side.solid_normal};
   Hit at = level;
-  double held = climb_from(climb, at);
+  double held = height == 0 ? 1 : climb_from(climb, at);
   if (held < 1) {
     climb.must_lean = climb.leans(side.solid_normal);
     at = level, held = climb_from(climb, at);
