@@ -1,48 +1,21 @@
-// load_gltf: guard -> embedded buffers -> schema -> tinygltf -> validate -> plain values.
-#include <fmt/format.h>
+// load_gltf: source -> plain values.
 #include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "host/scene/embedded.h"
 #include "host/scene/extras.h"
-#include "host/scene/guard.h"
 #include "host/scene/materials.h"
 #include "host/scene/meshes.h"
 #include "host/scene/messages.h"
 #include "host/scene/objects.h"
 #include "host/scene/placement.h"
 #include "host/scene/scene.h"
-#include "host/scene/schema.h"
-#include "host/scene/validate.h"
+#include "host/scene/source.h"
 
 namespace meniscal {
 namespace gltf {
 namespace {
-
-// `file`: a .glb; or the text of a .gltf, without the buffers that `folder` has taken over.
-tinygltf::Model parse(std::string_view file, bool binary, AssetFolder& folder, const Messages& messages) {
-  tinygltf::TinyGLTF parser;
-  parser.SetFsCallbacks(folder.callbacks());
-  parser.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
-                           void*) { return true; },  // no image is decoded: materials warn of their textures
-                        nullptr);
-  tinygltf::Model model;
-  std::string errors, warnings;
-  bool done = false;
-  const auto size = static_cast<unsigned>(file.size());  // max_bytes is less
-  try {
-    done = binary ? parser.LoadBinaryFromMemory(&model, &errors, &warnings,
-                                                reinterpret_cast<const unsigned char*>(file.data()), size, "")
-                  : parser.LoadASCIIFromString(&model, &errors, &warnings, file.data(), size, "");
-  } catch (const std::out_of_range& error) {  // for instance an empty buffer
-    errors = error.what();
-  }
-  if (!done) messages.fail("glTF", errors, "export the scene again");
-  return model;
-}
 
 void read_scene_extras(const tinygltf::Model& model, Scene& scene, Messages& messages) {
   if (model.scenes.empty()) return;
@@ -100,31 +73,20 @@ Scene assemble(const tinygltf::Model& model, Messages& messages) {
 }
 
 }  // namespace
+
+Scene make_scene(const Source& source, Messages& messages) {
+  Scene scene = assemble(source.model, messages);
+  scene.file = source.file;
+  scene.hash = source.hash;
+  scene.warnings = messages.warnings();
+  return scene;
+}
+
 }  // namespace gltf
 
 Scene load_gltf(const std::string& path) {
-  using namespace gltf;
-  Messages messages(path);
-  AssetFolder folder(path, messages);
-  const std::vector<unsigned char> file = folder.read_scene();
-  const bool binary = is_binary(file);
-  std::string_view json = json_text(file, messages);
-  Embedded embedded;
-  if (!binary) {
-    embedded = take_out_buffers(json);
-    json = embedded.json;
-    folder.add_embedded(std::move(embedded.buffers));
-  }
-  check_depth(json, messages);
-  check_schema(json, messages);
-  const std::string_view whole(reinterpret_cast<const char*>(file.data()), file.size());
-  const tinygltf::Model model = parse(binary ? whole : json, binary, folder, messages);
-  validate(model, binary, messages);
-  Scene scene = assemble(model, messages);
-  scene.file = path;
-  scene.hash = folder.hash();
-  scene.warnings = messages.warnings();
-  return scene;
+  gltf::Messages messages(path);
+  return gltf::make_scene(gltf::read_source(path, messages), messages);
 }
 
 }  // namespace meniscal

@@ -39,6 +39,7 @@ MeshParts read_mesh(const tinygltf::Model& model, std::size_t index, bool quanti
     dropped += drop_collapsed(part);
     result.parts.push_back(std::move(part));
     result.materials.push_back(primitive.material);
+    result.primitives.push_back(static_cast<int>(&primitive - source.primitives.data()));
   }
   result.closed = is_closed(result.parts);
   for (TriangleMesh& part : result.parts) dropped += drop_flat(part);

@@ -20,6 +20,7 @@ inline constexpr std::uint64_t max_vertices = std::uint64_t{1} << 26;
 struct MeshParts {
   std::vector<meniscus::TriangleMesh> parts;  // normals as in the file, empty where it has none
   std::vector<int> materials;                 // -1: glTF's default material
+  std::vector<int> primitives;                // which of the file's each part is: points and lines are left out
   bool closed = false;
 };
 

@@ -82,6 +82,8 @@ std::vector<Object> place_objects(const tinygltf::Model& model, const std::vecto
       object.name = mesh.parts.size() > 1 ? fmt::format("{}/{}", name, i) : name;
       object.closed = mesh.closed;
       object.material = mesh.materials[i] >= 0 ? mesh.materials[i] : static_cast<int>(default_material);
+      object.node = placed.node;
+      object.primitive = mesh.primitives[i];
       object.mesh = transformed(mesh.parts[i], to_local);
       object.has_file_normals = !object.mesh.normals.empty();
       drop_flat(object.mesh);  // a scale of 0 flattens

@@ -52,7 +52,8 @@ struct Object {
   bool has_file_normals = false;
   // Every edge of the whole glTF mesh (all its primitives, positions merged) is shared by two triangles.
   bool closed = false;
-  int material = 0;  // index into Scene::materials
+  int material = 0;             // index into Scene::materials
+  int node = 0, primitive = 0;  // the file's: of its nodes, and of the primitives of that node's mesh
 };
 
 struct Camera {

@@ -3,46 +3,17 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
-#include <stdexcept>
 
 #include "host/error.h"
 #include "host/stopwatch.h"
 #include "host/world/light_view.h"
 #include "host/world/lights.h"
+#include "host/world/menisci.h"
 #include "host/world/surfaces.h"
 #include "shaders/shared/random.h"
 
 namespace meniscal {
 namespace {
-
-double contact_angle(const Material& solid, const Material& liquid) {
-  const auto named = solid.contact_angle_with.find(liquid.name);
-  const double degrees = named != solid.contact_angle_with.end()
-                             ? named->second
-                             : solid.contact_angle.value_or(liquid.liquid->default_contact_angle);
-  return glm::radians(degrees);
-}
-
-meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusModel model) {
-  const LiquidProperties& p = *scene.materials[object.material].liquid;
-  meniscus::Liquid liquid{.name = object.name,
-                          .mesh = object.mesh,
-                          .capillary_length = std::sqrt(p.surface_tension / (p.density * scene.gravity)),
-                          .height_scale = model == MeniscusModel::none ? 0 : p.height_scale,
-                          .sweep_scale = p.sweep_scale};
-  if (p.height_rule == "equation2") liquid.height_rule = meniscus::HeightRule::equation2;
-  return liquid;
-}
-
-std::vector<meniscus::Solid> solids_for(const Scene& scene, const Material& liquid) {
-  std::vector<meniscus::Solid> solids;
-  for (const Object& o : scene.objects) {
-    const Material& m = scene.materials[o.material];
-    if (!m.liquid && !m.target && !m.meniscus_ignore) solids.push_back({o.name, o.mesh, contact_angle(m, liquid)});
-  }
-  return solids;
-}
 
 void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh& mesh, std::uint32_t material,
             const std::vector<std::uint8_t>* meniscus, bool target) {
@@ -63,21 +34,6 @@ void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh&
     t.meniscus = target || (meniscus && (*meniscus)[i]);
     triangles.push_back(t);
   }
-}
-
-// The liquid's surface with its menisci.
-void append_liquid(World& world, const Scene& scene, const Object& object, MeniscusModel model) {
-  const meniscus::Surface surface = [&] {
-    try {
-      return meniscus::build(make_liquid(scene, object, model), solids_for(scene, scene.materials[object.material]));
-    } catch (const std::invalid_argument& error) {
-      throw Error(ExitCode::scene, scene.file + ": " + error.what());
-    }
-  }();
-  append(world.triangles, surface.mesh, object.material, &surface.meniscus, false);
-  world.liquids.push_back({object.name, surface.contacts,
-                           static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1))});
-  for (const std::string& w : surface.warnings) world.warnings.push_back(fmt::format("{}: {}", scene.file, w));
 }
 
 // Six times the signed volume: negative where a closed mesh faces inward.
@@ -174,11 +130,17 @@ World build_world(const Scene& scene, MeniscusModel model) {
   World world;
   const Stopwatch watch;
   const std::vector<std::uint32_t> closed_surface = build_surfaces(world, scene);
+  const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, world.warnings);
+  auto next = liquids.begin();
   for (const Object& object : scene.objects) {
     const Material& m = scene.materials[object.material];
     const auto material = static_cast<std::uint32_t>(object.material);
     if (m.liquid) {
-      append_liquid(world, scene, object, model);
+      const meniscus::Surface& surface = (next++)->surface;
+      append(world.triangles, surface.mesh, material, &surface.meniscus, false);
+      world.liquids.push_back(
+          {object.name, surface.contacts,
+           static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1))});
       continue;
     }
     if (object.closed && m.transmission > 0 && signed_volume(object.mesh) < 0)
@@ -188,11 +150,6 @@ World build_world(const Scene& scene, MeniscusModel model) {
                       scene.file, object.name));
     append(world.triangles, object.mesh, object.closed ? closed_surface[material] : material, nullptr, m.target);
   }
-  const bool contacts =
-      std::any_of(world.liquids.begin(), world.liquids.end(), [](const auto& l) { return !l.contacts.empty(); });
-  if (model == MeniscusModel::exact && contacts)
-    world.warnings.push_back(
-        scene.file + ": the exact meniscus is not available yet; the paper's profile is used (--meniscus paper)");
   world.meniscus_seconds = watch.seconds();
   if (world.triangles.empty())
     throw Error(ExitCode::scene, scene.file + ": no triangle with an area; nothing to render");

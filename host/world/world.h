@@ -11,12 +11,10 @@
 
 #include "host/bvh/bvh.h"
 #include "host/scene/scene.h"
-#include "meniscus/meniscus.h"
+#include "host/world/menisci.h"
 #include "shaders/shared/structs.h"
 
 namespace meniscal {
-
-enum class MeniscusModel { none, paper, exact };  // exact: not built yet, answered by `paper` with a warning
 
 struct WorldTriangle {
   std::array<glm::dvec3, 3> corner;  // metres, local
@@ -53,7 +51,7 @@ struct World {
   std::vector<std::string> material_names;
   std::vector<shared::Surface> surfaces;  // by material
   std::vector<shared::Light> lights;
-  bool area_lights = false;  // some of them are
+  bool area_lights = false;                     // some of them are
   std::vector<Stratum> strata;                  // those that have triangles
   std::vector<std::uint32_t> targets;           // triangles, by stratum
   std::vector<std::optional<LightView>> views;  // by light: photons of those that have one start there

@@ -1,0 +1,26 @@
+// A scene file as it was read: the validated document and all bytes it refers to.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <string>
+
+#include "host/scene/messages.h"
+#include "host/scene/scene.h"
+
+namespace meniscal::gltf {
+
+struct Source {
+  std::string file;       // as given, for messages
+  std::string json;       // its text; of buffers that stood in it only names are left
+  tinygltf::Model model;  // validated; an image in a file of its own holds that file's bytes, undecoded
+  std::string hash;       // of all bytes read, hexadecimal
+};
+
+// guard -> embedded buffers -> schema -> tinygltf -> validate. Throws Error(ExitCode::scene).
+Source read_source(const std::string& path, Messages& messages);
+
+// The scene that it describes; takes the warnings over from `messages`.
+Scene make_scene(const Source& source, Messages& messages);
+
+}  // namespace meniscal::gltf

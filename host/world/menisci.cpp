@@ -1,0 +1,65 @@
+#include "host/world/menisci.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "host/error.h"
+
+namespace meniscal {
+namespace {
+
+double contact_angle(const Material& solid, const Material& liquid) {
+  const auto named = solid.contact_angle_with.find(liquid.name);
+  const double degrees = named != solid.contact_angle_with.end()
+                             ? named->second
+                             : solid.contact_angle.value_or(liquid.liquid->default_contact_angle);
+  return glm::radians(degrees);
+}
+
+meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusModel model) {
+  const LiquidProperties& p = *scene.materials[object.material].liquid;
+  meniscus::Liquid liquid{.name = object.name,
+                          .mesh = object.mesh,
+                          .capillary_length = std::sqrt(p.surface_tension / (p.density * scene.gravity)),
+                          .height_scale = model == MeniscusModel::none ? 0 : p.height_scale,
+                          .sweep_scale = p.sweep_scale};
+  if (p.height_rule == "equation2") liquid.height_rule = meniscus::HeightRule::equation2;
+  return liquid;
+}
+
+std::vector<meniscus::Solid> solids_for(const Scene& scene, const Material& liquid) {
+  std::vector<meniscus::Solid> solids;
+  for (const Object& o : scene.objects) {
+    const Material& m = scene.materials[o.material];
+    if (!m.liquid && !m.target && !m.meniscus_ignore) solids.push_back({o.name, o.mesh, contact_angle(m, liquid)});
+  }
+  return solids;
+}
+
+}  // namespace
+
+std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, std::vector<std::string>& warnings) {
+  std::vector<LiquidSurface> liquids;
+  bool contacts = false;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const Material& material = scene.materials[object.material];
+    if (!material.liquid) continue;
+    try {
+      liquids.push_back({i, meniscus::build(make_liquid(scene, object, model), solids_for(scene, material))});
+    } catch (const std::invalid_argument& error) {
+      throw Error(ExitCode::scene, scene.file + ": " + error.what());
+    }
+    const meniscus::Surface& surface = liquids.back().surface;
+    contacts = contacts || !surface.contacts.empty();
+    for (const std::string& w : surface.warnings) warnings.push_back(fmt::format("{}: {}", scene.file, w));
+  }
+  if (model == MeniscusModel::exact && contacts)
+    warnings.push_back(scene.file +
+                       ": the exact meniscus is not available yet; the paper's profile is used (--meniscus paper)");
+  return liquids;
+}
+
+}  // namespace meniscal

@@ -1,0 +1,24 @@
+// The liquids of a scene with the menisci that its solids raise in them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "host/scene/scene.h"
+#include "meniscus/meniscus.h"
+
+namespace meniscal {
+
+enum class MeniscusModel { none, paper, exact };  // exact: not built yet, answered by `paper` with a warning
+
+struct LiquidSurface {
+  std::size_t object;  // of the scene; liquid
+  meniscus::Surface surface;
+};
+
+// One for each liquid object, in their order; `none` cuts the liquids where solids pierce them, level. Deterministic.
+// Throws Error(ExitCode::scene).
+std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, std::vector<std::string>& warnings);
+
+}  // namespace meniscal
