@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
 
   meniscal::add_render(app);
   meniscal::add_info(app);
+  meniscal::add_mesh(app);
   meniscal::add_devices(app);
   meniscal::add_compare(app);
 

@@ -8,6 +8,7 @@ namespace meniscal {
 
 void add_render(CLI::App& app);
 void add_info(CLI::App& app);
+void add_mesh(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_compare(CLI::App& app);
 

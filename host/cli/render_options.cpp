@@ -117,11 +117,7 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
                   "auto, cpu (the reference path), or a Vulkan device's index or part of its name")
       ->type_name("DEVICE")
       ->capture_default_str();
-  add_choice<MeniscusModel>(
-      command, "--meniscus", options.meniscus,
-      {{"none", MeniscusModel::none}, {"paper", MeniscusModel::paper}, {"exact", MeniscusModel::exact}},
-      "No menisci, the paper's profile, or the Young-Laplace surface")
-      ->default_str("exact");
+  add_meniscus_option(command, options.meniscus);
   add_choice<Integrator>(command, "--integrator", options.integrator,
                          {{"targeted", Integrator::targeted}, {"ordinary", Integrator::ordinary}},
                          "Photons from what the camera sees back to the lights, or ordinary photon mapping from the "
@@ -228,6 +224,14 @@ void finish(RenderOptions& options) {
 PassRange RenderOptions::passes_to_run() const {
   if (!pass_range) return {0, passes.value_or(preset(quality).passes)};
   return {pass_range->first, std::min(pass_range->last, passes.value_or(pass_range->last))};
+}
+
+void add_meniscus_option(CLI::App& command, MeniscusModel& model) {
+  add_choice<MeniscusModel>(
+      command, "--meniscus", model,
+      {{"none", MeniscusModel::none}, {"paper", MeniscusModel::paper}, {"exact", MeniscusModel::exact}},
+      "No menisci, the paper's profile, or the Young-Laplace surface")
+      ->default_str("exact");
 }
 
 void add_render_options(CLI::App& command, RenderOptions& options) {

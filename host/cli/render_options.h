@@ -83,4 +83,7 @@ struct RenderOptions {
 // contradict each other, end it with a CLI::ParseError that names the option: exit code 2.
 void add_render_options(CLI::App& command, RenderOptions& options);
 
+// `--meniscus`, as every command has it that raises menisci.
+void add_meniscus_option(CLI::App& command, MeniscusModel& model);
+
 }  // namespace meniscal

@@ -1,0 +1,72 @@
+// meniscal mesh: the scene with the menisci of its liquids, for any renderer that reads glTF.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "host/cli/commands.h"
+#include "host/cli/render_options.h"
+#include "host/export/compact.h"
+#include "host/export/container.h"
+#include "host/export/liquids.h"
+#include "host/image/atomic_file.h"
+
+namespace meniscal {
+namespace {
+
+struct MeshOptions {
+  std::string scene, output;
+  MeniscusModel meniscus = MeniscusModel::exact;
+};
+
+std::string summary(const std::string& file, const std::vector<LiquidSurface>& liquids) {
+  std::size_t triangles = 0, menisci = 0, contacts = 0;
+  for (const auto& [object, surface] : liquids) {
+    triangles += surface.mesh.triangles.size();
+    menisci += static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1));
+    contacts += surface.contacts.size();
+  }
+  return fmt::format("{}: {} liquids of {} triangles, {} of them in {} menisci\n", file, liquids.size(), triangles,
+                     menisci, contacts);
+}
+
+void run(const MeshOptions& options) {
+  require_writable(options.output);
+  gltf::Messages messages(options.scene);
+  const gltf::Source source = gltf::read_source(options.scene, messages);
+  const Scene scene = gltf::make_scene(source, messages);
+  std::vector<std::string> warnings = scene.warnings;
+  const std::vector<LiquidSurface> liquids = raise_menisci(scene, options.meniscus, warnings);
+  if (liquids.empty())
+    warnings.push_back(scene.file + ": has no liquid (material extra meniscus_liquid): written as it is");
+  for (const std::string& w : warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
+
+  gltf::Document document = gltf::open_document(source);
+  gltf::replace_liquids(document, source, scene, liquids, messages);
+  gltf::compact(document);
+  document.json["asset"]["generator"] = "Meniscal " MENISCAL_VERSION;
+  write_file(options.output,
+             options.output.ends_with(".glb") ? gltf::as_glb(std::move(document)) : gltf::as_text(std::move(document)));
+  std::fputs(summary(options.output, liquids).c_str(), stdout);
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& app) {
+  auto options = std::make_shared<MeshOptions>();
+  CLI::App* command = app.add_subcommand("mesh", "Write a scene with the menisci of its liquids, for any renderer");
+  command->add_option("SCENE", options->scene, "glTF 2.0 scene, .gltf or .glb")->required();
+  command->add_option("-o,--output", options->output, "Scene to write, .glb or .gltf: everything in one file")
+      ->type_name("OUT")
+      ->required()
+      ->check([](const std::string& name) {
+        const bool known = name.ends_with(".glb") || name.ends_with(".gltf");
+        return known ? std::string() : name + " ends neither in .glb nor in .gltf";
+      });
+  add_meniscus_option(*command, options->meniscus);
+  command->footer("Example: meniscal mesh scene.gltf -o scene.glb");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace meniscal

@@ -1,0 +1,14 @@
+// A liquid's material for renderers that do not know of liquids.
+#pragma once
+
+#include "host/export/document.h"
+#include "host/scene/scene.h"
+
+namespace meniscal::gltf {
+
+// `material` (the file's) with what it means to this renderer spelt out in glTF's own terms, and no liquid any more:
+// its surface is to be taken as it is. `thickness`, metres, where the file states none. Textures are left out: the new
+// surface has no texture coordinates. `document` gets the extensions that are used.
+OrderedJson spell_out_liquid(OrderedJson material, const Material& meaning, double thickness, Document& document);
+
+}  // namespace meniscal::gltf
