@@ -133,6 +133,15 @@ Contact describe(const ContactLine& line, const Body& body) {
   return contact;
 }
 
+// What is known of the whole surface, told of each contact.
+void share_out(Surface& surface, const std::vector<std::size_t>& line) {
+  for (std::size_t t = 0; t < line.size(); ++t)
+    if (surface.meniscus[t]) ++surface.contacts[line[t]].triangles;
+  for (Contact& contact : surface.contacts)
+    for (const std::string& w : surface.warnings)
+      if (w.find("solid '" + contact.solid + "'") != std::string::npos) contact.warnings.push_back(w);
+}
+
 void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
   const Field field(lines);
   for (ContactLine& line : lines) {
@@ -233,6 +242,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   for (const ContactLine& line : lines) result.contacts.push_back(describe(line, bodies[line.solid]));
   result.mesh = std::move(stitched.mesh);
   result.meniscus = std::move(stitched.meniscus);
+  share_out(result, stitched.line);
   return result;
 }
 

@@ -34,10 +34,12 @@ struct Solid {
 // One liquid-solid contour and the meniscus raised on it.
 struct Contact {
   std::string solid;
-  bool closed;                // false where the contour ends at the liquid's border
-  double length;              // of the contour, metres
-  double contact_angle;       // radians
-  double rise_min, rise_max;  // signed height of the contact line above the level liquid, metres
+  bool closed;                             // false where the contour ends at the liquid's border
+  double length;                           // of the contour, metres
+  double contact_angle;                    // radians
+  double rise_min, rise_max;               // signed height of the contact line above the level liquid, metres
+  std::size_t triangles = 0;               // of its meniscus
+  std::vector<std::string> warnings = {};  // the surface's that concern the solid
 };
 
 // The liquid with its menisci: one oriented surface, watertight but for the borders the liquid came with.

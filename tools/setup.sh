@@ -1,6 +1,11 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Meniscal is built and run with. Says and does nothing when none is missing.
+# Installs the Debian packages that Meniscal is built and run with, and with --tests also the Khronos glTF validator, which
+# tests of exported scenes use. Says and does nothing when none is missing.
 set -euo pipefail
+
+tests=${1-}
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+validator=$root/build/gltf_validator
 
 packages=(
   g++ cmake ninja-build ccache
@@ -11,6 +16,8 @@ packages=(
   libcli11-dev libfmt-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
 )
+# Node may come from elsewhere than Debian.
+[[ $tests != --tests ]] || { command -v node && command -v npm; } >/dev/null || packages+=(nodejs npm)
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "tools/setup.sh: this is no Debian-like system; install what these packages hold, then run" >&2
@@ -24,21 +31,31 @@ missing=()
 for package in "${packages[@]}"; do
   grep --quiet --fixed-strings --line-regexp -- "$package" <<<"$installed" || missing+=("$package")
 done
-[[ ${#missing[@]} -gt 0 ]] || exit 0
+if [[ ${#missing[@]} -gt 0 ]]; then
+  if [[ $EUID -eq 0 ]]; then
+    as_root=()
+  elif command -v sudo >/dev/null; then
+    as_root=(sudo)
+  else
+    echo "tools/setup.sh: packages are missing, and this is neither root nor a machine with sudo; as root, run" >&2
+    echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
 
-if [[ $EUID -eq 0 ]]; then
-  as_root=()
-elif command -v sudo >/dev/null; then
-  as_root=(sudo)
-else
-  echo "tools/setup.sh: packages are missing, and this is neither root nor a machine with sudo; as root, run" >&2
-  echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
-  exit 1
+  apt() { ${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet "$@"; }
+
+  echo "Installing ${missing[*]}" >&2
+  # The package lists may be absent (fresh container) or name versions that are gone from the mirror.
+  apt update >&2 || echo "tools/setup.sh: the package lists could not be renewed; trying with those at hand" >&2
+  apt install --yes --no-install-recommends "${missing[@]}" >&2
 fi
 
-apt() { ${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet "$@"; }
-
-echo "Installing ${missing[*]}" >&2
-# The package lists may be absent (fresh container) or name versions that are gone from the mirror.
-apt update >&2 || echo "tools/setup.sh: the package lists could not be renewed; trying with those at hand" >&2
-apt install --yes --no-install-recommends "${missing[@]}" >&2
+if [[ $tests == --tests ]] && ! cmp --quiet "$root/tests/gltf_validator/package-lock.json" "$validator/node_modules/installed"; then
+  mkdir -p "$validator"
+  cp "$root"/tests/gltf_validator/package*.json "$validator"
+  if (cd "$validator" && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >&2); then
+    cp "$validator/package-lock.json" "$validator/node_modules/installed"
+  else
+    echo "tools/setup.sh: the glTF validator could not be installed; exported scenes are not checked with it" >&2
+  fi
+fi

@@ -4,6 +4,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+"$root/tools/setup.sh" --tests
 "$root/tools/build.sh" "$([[ -n ${CI:-} ]] && echo ci || echo release)"
 
 labels=(--label-exclude '^slow$')

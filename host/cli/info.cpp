@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/cli/commands.h"
+#include "host/render/contacts.h"
 #include "host/render/plan.h"
 #include "host/scene/scene.h"
 #include "host/world/world.h"
@@ -118,20 +119,6 @@ Json cameras_of(const Scene& scene) {
   return list;
 }
 
-Json menisci_of(const World& world) {
-  Json list = Json::array();
-  for (const LiquidReport& l : world.liquids)
-    for (const meniscus::Contact& c : l.contacts)
-      list.push_back({{"liquid", l.liquid},
-                      {"solid", c.solid},
-                      {"closed", c.closed},
-                      {"length_m", c.length},
-                      {"contact_angle_deg", c.contact_angle * kDegrees},
-                      {"rise_min_m", c.rise_min},
-                      {"rise_max_m", c.rise_max}});
-  return list;
-}
-
 Json plan_of(const World& world) {
   Json list = Json::array();
   for (const PlanEntry& e : make_plan(world)) list.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
@@ -149,7 +136,7 @@ Json describe(const Scene& scene, const World& world) {
   warnings.insert(warnings.end(), world.warnings.begin(), world.warnings.end());
   return {{"file", scene.file},         {"hash", scene.hash},           {"gravity_m_per_s2", scene.gravity},
           {"triangles", triangles},     {"objects", objects_of(scene)}, {"materials", materials},
-          {"lights", lights_of(scene)}, {"cameras", cameras_of(scene)}, {"menisci", menisci_of(world)},
+          {"lights", lights_of(scene)}, {"cameras", cameras_of(scene)}, {"menisci", contacts_json(world)},
           {"plan", plan_of(world)},     {"warnings", warnings}};
 }
 
@@ -174,6 +161,19 @@ std::string describe_material(const Json& m) {
   return line + "\n";
 }
 
+std::string describe_contact(const Json& c) {
+  std::string line =
+      fmt::format("  {:<24} {} in {}, {:.4g} mm {}, contact angle {:g} deg, rise {:.4g} to {:.4g} mm, {} triangles",
+                  c["solid"].get<std::string>(), c["closed"].get<bool>() ? "closed" : "open",
+                  c["liquid"].get<std::string>(), 1e3 * c["length_m"].get<double>(),
+                  c["closed"].get<bool>() ? "round" : "long", c["contact_angle_deg"].get<double>(),
+                  1e3 * c["rise_min_m"].get<double>(), 1e3 * c["rise_max_m"].get<double>(), c["triangles"].get<long>());
+  const std::size_t warnings = c["warnings"].size();
+  if (warnings > 0)
+    line += fmt::format(", {} (below)", warnings == 1 ? "a warning" : fmt::format("{} warnings", warnings));
+  return line + "\n";
+}
+
 std::string as_text(const Json& scene) {
   std::string text = fmt::format("{}: {} triangles, gravity {:g} m/s2\n", scene["file"].get<std::string>(),
                                  scene["triangles"].get<long>(), scene["gravity_m_per_s2"].get<double>());
@@ -190,12 +190,7 @@ std::string as_text(const Json& scene) {
   for (const Json& c : scene["cameras"])
     text += fmt::format("  {:<24} {}\n", c["name"].get<std::string>(), c["type"].get<std::string>());
   text += "menisci\n";
-  for (const Json& c : scene["menisci"])
-    text += fmt::format("  {:<24} {} in {}, {:.4g} mm round, contact angle {:g} deg, rise {:.4g} to {:.4g} mm\n",
-                        c["solid"].get<std::string>(), c["closed"].get<bool>() ? "closed" : "open",
-                        c["liquid"].get<std::string>(), 1e3 * c["length_m"].get<double>(),
-                        c["contact_angle_deg"].get<double>(), 1e3 * c["rise_min_m"].get<double>(),
-                        1e3 * c["rise_max_m"].get<double>());
+  for (const Json& c : scene["menisci"]) text += describe_contact(c);
   text += "plan\n";
   for (const Json& e : scene["plan"])
     text += fmt::format("  {:<24} {:<3}  {}\n", e["feature"].get<std::string>(), e["on"].get<bool>() ? "on" : "off",

@@ -7,9 +7,8 @@
 
 #include "host/cli/commands.h"
 #include "host/cli/render_options.h"
-#include "host/export/compact.h"
 #include "host/export/container.h"
-#include "host/export/liquids.h"
+#include "host/export/export.h"
 #include "host/image/atomic_file.h"
 
 namespace meniscal {
@@ -33,22 +32,11 @@ std::string summary(const std::string& file, const std::vector<LiquidSurface>& l
 
 void run(const MeshOptions& options) {
   require_writable(options.output);
-  gltf::Messages messages(options.scene);
-  const gltf::Source source = gltf::read_source(options.scene, messages);
-  const Scene scene = gltf::make_scene(source, messages);
-  std::vector<std::string> warnings = scene.warnings;
-  const std::vector<LiquidSurface> liquids = raise_menisci(scene, options.meniscus, warnings);
-  if (liquids.empty())
-    warnings.push_back(scene.file + ": has no liquid (material extra meniscus_liquid): written as it is");
-  for (const std::string& w : warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
-
-  gltf::Document document = gltf::open_document(source);
-  gltf::replace_liquids(document, source, scene, liquids, messages);
-  gltf::compact(document);
-  document.json["asset"]["generator"] = "Meniscal " MENISCAL_VERSION;
-  write_file(options.output,
-             options.output.ends_with(".glb") ? gltf::as_glb(std::move(document)) : gltf::as_text(std::move(document)));
-  std::fputs(summary(options.output, liquids).c_str(), stdout);
+  gltf::Exported exported = gltf::export_with_menisci(options.scene, options.meniscus);
+  for (const std::string& w : exported.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
+  const auto pack = options.output.ends_with(".glb") ? gltf::as_glb : gltf::as_text;
+  write_file(options.output, pack(std::move(exported.document)));
+  std::fputs(summary(options.output, exported.liquids).c_str(), stdout);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/render/contacts.h"
+
 namespace meniscal {
 namespace {
 
@@ -29,6 +31,7 @@ Json meniscus_json(const World& world, MeniscusModel model) {
   }
   return {{"model", model == MeniscusModel::none ? "none" : "paper"},
           {"contours", contours},
+          {"contacts", contacts_json(world)},
           {"triangles", triangles},
           {"rise_min_m", low},
           {"rise_max_m", high},

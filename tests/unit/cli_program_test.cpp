@@ -43,7 +43,7 @@ TEST(Program, SaysItsVersion) {
 
 TEST(Program, EveryCommandHasHelpWithAnExample) {
   const TemporaryFolder folder;
-  for (const std::string command : {"", "render", "info", "devices", "compare"}) {
+  for (const std::string command : {"", "render", "info", "mesh", "devices", "compare"}) {
     const Outcome o = meniscal(folder, command + " --help");
     EXPECT_EQ(o.code, 0) << command;
     EXPECT_NE(o.output.find("Example: meniscal " + command), std::string::npos) << o.output;
@@ -57,6 +57,9 @@ TEST(Program, WrongUsageIsTwoAndNamesWhatIsWrong) {
                                                        {"render", "SCENE"},
                                                        {"render a.gltf --resolution 3", "--resolution"},
                                                        {"render a.gltf --unknown", "--unknown"},
+                                                       {"mesh a.gltf", "--output"},
+                                                       {"mesh a.gltf -o a.obj", "a.obj"},
+                                                       {"mesh a.gltf -o a.glb --meniscus round", "--meniscus"},
                                                        {"compare a.exr", "B"},
                                                        {"compare a.exr b.exr --max-rmse nan", "--max-rmse"}};
   for (const auto& [arguments, named] : cases) {
@@ -70,7 +73,8 @@ TEST(Program, WrongUsageIsTwoAndNamesWhatIsWrong) {
 
 TEST(Program, AMissingSceneIsThreeAndNamed) {
   const TemporaryFolder folder;
-  for (const std::string command : {"render", "info"}) {
+  for (const std::string& command :
+       {std::string("render"), std::string("info"), "mesh -o \"" + folder / "a.glb" + "\""}) {
     const Outcome o = meniscal(folder, command + " \"" + folder / "missing.gltf" + "\"");
     EXPECT_EQ(o.code, 3) << command;
     EXPECT_NE(o.error.find("missing.gltf"), std::string::npos) << o.error;
@@ -82,6 +86,28 @@ TEST(Program, AnOutputThatCannotBeWrittenIsOneBeforeRendering) {
   const Outcome o = meniscal(folder, kPool + " --passes 2000000000 -o \"" + folder / "missing/a.exr" + "\"");
   EXPECT_EQ(o.code, 1);
   EXPECT_NE(o.error.find("missing/a.exr"), std::string::npos) << o.error;
+}
+
+TEST(Program, WritesASceneWithItsMenisciWholeOrNotAtAll) {
+  const TemporaryFolder folder;
+  const std::string mesh = "mesh \"" SCENES "/post.gltf\" -o \"";
+  EXPECT_EQ(meniscal(folder, mesh + folder / "missing/a.glb" + "\"").code, 1);
+  const Outcome o = meniscal(folder, mesh + folder / "a.glb" + "\"");
+  EXPECT_EQ(o.code, 0) << o.error;
+  EXPECT_NE(o.output.find("1 menisci"), std::string::npos) << o.output;
+  const auto targets = [&](const std::string& scene) {
+    const std::string text = meniscal(folder, "info \"" + scene + "\"").output;
+    const std::size_t line = text.find("targeted map");
+    return text.substr(line, text.find('\n', line) - line);
+  };
+  EXPECT_NE(targets(folder / "a.glb").find(" on "), std::string::npos);
+  EXPECT_EQ(targets(folder / "a.glb"), targets(SCENES "/post.gltf"));
+
+  const std::string before = test::read_bytes(folder / "a.glb");
+  const Outcome small =
+      meniscal(folder, mesh + folder / "a.glb" + "\"", "ulimit -f 8; trap '' XFSZ; ");  // blocks of 512
+  EXPECT_EQ(small.code, 1) << small.error;
+  EXPECT_EQ(test::read_bytes(folder / "a.glb"), before);
 }
 
 TEST(Program, AMissingDeviceIsFourAndNamed) {

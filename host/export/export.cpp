@@ -1,0 +1,22 @@
+#include "host/export/export.h"
+
+#include "host/export/compact.h"
+#include "host/export/liquids.h"
+
+namespace meniscal::gltf {
+
+Exported export_with_menisci(const std::string& path, MeniscusModel model) {
+  Messages messages(path);
+  const Source source = read_source(path, messages);
+  const Scene scene = make_scene(source, messages);
+  Exported result{open_document(source), {}, scene.warnings};
+  result.liquids = raise_menisci(scene, model, result.warnings);
+  if (result.liquids.empty())
+    result.warnings.push_back(path + ": has no liquid (material extra meniscus_liquid): written as it is");
+  replace_liquids(result.document, source, scene, result.liquids, messages);
+  compact(result.document);
+  result.document.json["asset"]["generator"] = "Meniscal " MENISCAL_VERSION;
+  return result;
+}
+
+}  // namespace meniscal::gltf
