@@ -434,4 +434,20 @@ TEST(Build, UnusableInputIsRefusedByName) {
   EXPECT_NE(message(liquid, {}).find("'water'"), std::string::npos);
 }
 
+TEST(Build, ContactsKnowTheirTrianglesAndWhatConcernsThem) {
+  // The stub ends 0.5 mm above the level, below the height that its meniscus would reach.
+  const TriangleMesh tall = translated(post(2 * kMm, -10 * kMm, 10 * kMm, 64), {-15 * kMm, 0, 0});
+  const TriangleMesh low = translated(post(1 * kMm, -10 * kMm, 0.5 * kMm, 64), {15 * kMm, 0, 0});
+  const Surface surface = meniscus::build(water(sheet(40 * kMm, 4)), {solid(tall, 30, "tall"), solid(low, 30, "stub")});
+  ASSERT_EQ(surface.contacts.size(), 2u);
+  std::size_t by_side[2] = {0, 0};
+  for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t)
+    if (surface.meniscus[t]) ++by_side[surface.mesh.positions[surface.mesh.triangles[t].x].x > 0];
+  for (const meniscus::Contact& contact : surface.contacts) {
+    const bool stub = contact.solid == "stub";
+    EXPECT_EQ(contact.triangles, by_side[stub]);
+    EXPECT_EQ(contact.warnings.size(), stub ? 1u : 0u);
+  }
+}
+
 }  // namespace
