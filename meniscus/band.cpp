@@ -6,12 +6,13 @@
 #include <tuple>
 
 #include "meniscus/predicates.h"
+#include "meniscus/profile.h"
 
 namespace meniscus {
 namespace {
 
-constexpr double kFirst = 1.0 / 180, kMost = 1.0 / 66;  // spacing of layers in sweep lengths: at the wall, in the band
-constexpr double kGrowth = 0.08, kGrowthBeyond = 0.3;   // of the spacing, per distance
+constexpr double kFirst = 1.0 / 180;                   // spacing of layers at the wall, in sweep lengths
+constexpr double kGrowth = 0.08, kGrowthBeyond = 0.3;  // of the spacing, per distance
 
 // A point on a column. In a fan halves come before quarters: what is thinned out stays even.
 struct Candidate {
@@ -81,26 +82,28 @@ void add_columns_between(std::vector<Column>& columns, const ContactLine& line, 
 
 }  // namespace
 
-Grading::Grading(const ContactLine& line, double sweep_length) : sweep_(line.sweep) {
+Grading::Grading(const ContactLine& line, double sweep_length)
+    : sweep_(line.sweep), profile_(line.profile), unit_(line.coarseness * sweep_length) {
   double length = 0, longest = 0, shortest = sweep_length;
   for (std::size_t i = 0; i < line.segments(); ++i) {
     const double column = glm::distance(line.nodes[i].position, line.next(i).position);
     length += column, longest = std::max(longest, column), shortest = std::min(shortest, column);
   }
   const double column = length / static_cast<double>(line.segments());
-  most_ = line.coarseness * widest(sweep_length);
+  most_ = kWidestLayer * unit_;
   first_ = column;
   if (sweep_ > 0) {  // no triangle at the wall much longer than wide, along it or across
-    const double least = std::max(line.coarseness * kFirst * sweep_length, longest / kAspect);
+    const double least = std::max(std::min(kFirst, layer_spacing(profile_, 0)) * unit_, longest / kAspect);
     first_ = std::min({column, least, kAspect * shortest, most_});
   }
 }
 
-double Grading::widest(double sweep_length) { return kMost * sweep_length; }
-
 double Grading::spacing(double distance) const {
   if (sweep_ == 0) return first_ + kGrowthBeyond * distance;
-  if (distance <= sweep_) return std::min(most_, first_ + kGrowth * distance);
+  if (distance <= sweep_) {
+    const double bent = layer_spacing(profile_, distance / sweep_) * unit_;
+    return std::min(std::max(bent, first_), first_ + kGrowth * distance);
+  }
   return most_ + kGrowthBeyond * (distance - sweep_);
 }
 

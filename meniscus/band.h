@@ -10,19 +10,19 @@
 
 namespace meniscus {
 
-// Wanted distance between layers at a distance from the contact line, metres: finest at the wall, even within the band,
-// growing beyond it so that the band blends into a coarse liquid.
+// Wanted distance between layers at a distance from the contact line, metres: finest at the wall, in the band as
+// the profile bends, growing beyond it so that the band blends into a coarse liquid.
 class Grading {
  public:
   explicit Grading(const ContactLine& line, double sweep_length);
-  // Distance between layers in the band, where it is largest.
-  static double widest(double sweep_length);
   double spacing(double distance) const;
   // Distances from the wall out to `extent`; one of them is exactly the sweep, where the profile has a kink.
   std::vector<double> layers(double extent) const;
 
  private:
   double sweep_;  // of the line; 0 for a hole without a meniscus
+  Profile profile_;
+  double unit_;  // sweep length, times what the line is coarser by
   double first_, most_;
 };
 

@@ -168,7 +168,7 @@ void fade_from_joint(const ContactLine& line, std::size_t start, bool forward, d
 }
 
 double wanted_rise(const Node& node, const Side& side, const Body& body, const Liquid& liquid) {
-  return node.room * rise(liquid, body.contact_angle, dihedral(side.solid_normal, node.liquid_normal));
+  return node.room * rise(liquid, body.contact_angle, dihedral(side.solid_normal, node.liquid_normal), node.curvature);
 }
 
 // Bonds every node, with the axis along which the solid is taken to go on. Returns how many are pinned.

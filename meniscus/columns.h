@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "meniscus/contour.h"
+#include "meniscus/meniscus.h"
 
 namespace meniscus {
 
@@ -31,6 +32,7 @@ struct Node {
   double free = 1e300;         // distance at which another foot becomes nearer, metres
   double room = 1;             // part of its height for which the band has room
   std::optional<Edge> border;  // as in ContourPoint
+  double curvature = 0;        // of the contour within about a capillary length, 1/m; see curvature.h
 };
 
 struct ContactLine {
@@ -39,6 +41,7 @@ struct ContactLine {
   double sweep = 0;  // how far the meniscus reaches, metres; 0 where none is raised
   std::vector<Node> nodes;
   double coarseness = 1;  // factor on all spacings of its band
+  Profile profile = Profile::sine;
 
   std::size_t segments() const { return closed ? nodes.size() : nodes.size() - 1; }
   const Node& next(std::size_t i) const { return nodes[(i + 1) % nodes.size()]; }

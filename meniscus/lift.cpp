@@ -7,7 +7,7 @@
 
 namespace meniscus {
 
-Lifted lift(const Foot& foot, double sweep, const glm::dvec3& base, const glm::dvec3& up) {
+Lifted lift(const Foot& foot, double sweep, Profile profile, const glm::dvec3& base, const glm::dvec3& up) {
   if (!foot.exists() || !(foot.distance < sweep)) return {base, up};
   const auto between = [&](auto Side::*value) {
     return foot.from->*value + foot.t * (foot.to->*value - foot.from->*value);
@@ -15,8 +15,8 @@ Lifted lift(const Foot& foot, double sweep, const glm::dvec3& base, const glm::d
   const auto in_liquid = [&](const glm::dvec2& v) {  // the vector tangent to the liquid that is v in the plane
     return lifted(v, -glm::dot(v, planar(up)) / up.y);
   };
-  const double d = foot.distance / sweep;
-  const double rise = between(&Side::rise), height = profile(d), height_slope = profile_slope(d) / sweep;
+  const Falloff fall = falloff(profile, foot.distance / sweep);
+  const double rise = between(&Side::rise), height = fall.height, height_slope = fall.slope / sweep;
   const glm::dvec3 slide = in_liquid(between(&Side::slide));
   const glm::dvec3 out = glm::normalize(in_liquid(foot.direction)), forward = glm::cross(out, up);
   const double reach = between(&Side::reach);

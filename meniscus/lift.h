@@ -10,10 +10,10 @@ struct Lifted {
   glm::dvec3 normal;  // unit
 };
 
-// `base` on the level liquid, with its unit normal. Displaces by the rise times eq. (2) along that normal and by the
-// contact line's slide, fading linearly to 0 at its reach, along the contour normal; the normal is the cross
+// `base` on the level liquid, with its unit normal. Displaces by the rise times its falloff along that normal and by
+// the contact line's slide, fading linearly to 0 at its reach, along the contour normal; the normal is the cross
 // product of the two derivatives of this displacement, along and across the contour. Beyond the sweep length nothing
 // changes.
-Lifted lift(const Foot& foot, double sweep, const glm::dvec3& base, const glm::dvec3& liquid_normal);
+Lifted lift(const Foot& foot, double sweep, Profile profile, const glm::dvec3& base, const glm::dvec3& liquid_normal);
 
 }  // namespace meniscus

@@ -9,6 +9,7 @@
 
 #include "meniscus/bond.h"
 #include "meniscus/check.h"
+#include "meniscus/curvature.h"
 #include "meniscus/predicates.h"
 #include "meniscus/profile.h"
 #include "meniscus/sizing.h"
@@ -207,13 +208,19 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     for (Contour& contour : find_contours(level, surface, tree, bodies[s].mesh, bodies[s].name, result.warnings)) {
       lines.push_back(refine(contour, s, reach));
+      lines.back().profile = liquid.profile;
       contours.push_back(std::move(contour));
     }
   }
   constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
   const Patch patch(level, surface, lines, kMargin * reach);
   const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, reach, result.warnings);
-  for (std::size_t l = 0; l < lines.size(); ++l) lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
+  constexpr double kCurved = 1;  // capillary lengths: fits the equilibrium of an ellipse best
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
+    lines[l].profile = liquid.profile;
+    measure_curvature(lines[l], kCurved * liquid.capillary_length);
+  }
   find_free_lengths(lines, reach);
   std::map<std::string, Share> pinned;
   for (ContactLine& line : lines) {

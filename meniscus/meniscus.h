@@ -10,10 +10,20 @@
 
 namespace meniscus {
 
-// How the printed alpha of the paper's equation (2) is read; see `rise` in profile.h.
+// Where the contact line stands: how the printed alpha of the paper's equation (2) is read, or by physics; see `rise`
+// in profile.h.
 enum class HeightRule {
   wetting,    // alpha = pi - phi0, phi0 = dihedral angle - contact angle: right sign for every solid
   equation2,  // alpha = contact angle, as printed: always rises
+  exact,      // Young-Laplace at a flat or cylindrical wall as curved as the contour is there
+};
+
+// How the meniscus falls off with the distance from the contact line (paper, figure 12); see `falloff` in profile.h.
+enum class Profile {
+  sine,         // equation (2)
+  exponential,  // as from a flat wall, for small slopes
+  circular,     // a quarter of a circle, stretched to height and sweep length: vertical at the wall
+  bessel,       // as round a post one capillary length in radius, for small slopes
 };
 
 struct Liquid {
@@ -21,8 +31,10 @@ struct Liquid {
   TriangleMesh mesh;        // an open sheet or a closed volume; its free surface is what faces up (+Y)
   double capillary_length;  // sqrt(surface tension / (density * gravity)), metres
   HeightRule height_rule = HeightRule::wetting;
+  Profile profile = Profile::sine;
   double height_scale = 1;  // artist's factor on the height
   double sweep_scale = 1;   // artist's factor on the sweep length, 2 capillary lengths
+  bool flatten = false;     // menisci stay on the level liquid and have the raised surface's normals alone
 };
 
 struct Solid {

@@ -1,20 +1,81 @@
 #include "meniscus/profile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "meniscus/young_laplace.h"
+
 namespace meniscus {
+namespace {
+
+Falloff sine(double d) {
+  constexpr double k = glm::half_pi<double>();
+  const double s = std::sin(k * d);
+  return {1 - s, -k * std::cos(k * d), k * k * s};
+}
+
+// A quarter of a circle that touches the wall and the level.
+Falloff circular(double d) {
+  const double from_wall = std::max(d, 1e-8), sagitta = std::sqrt(from_wall * (2 - from_wall));
+  return {1 - std::sqrt(d * (2 - d)), -(1 - from_wall) / sagitta, 1 / (sagitta * sagitta * sagitta)};
+}
+
+// The linearised Young-Laplace equation's solutions at distance d S = 2 d L: from a flat wall exp(-x / L), and K0(r /
+// L) round a post of radius L.
+Falloff decay(double d) {
+  const double e = std::exp(-2 * d);
+  return {e, -2 * e, 4 * e};
+}
+Falloff bessel(double d) {
+  const double r = 1 + 2 * d, k0 = std::cyl_bessel_k(0, r), k1 = std::cyl_bessel_k(1, r);
+  return {k0, -2 * k1, 4 * (k0 + k1 / r)};
+}
+
+// Less the tangent at d = 1, so that it ends there without a crease, and 1 at d = 0.
+template <Falloff (*function)(double)>
+Falloff ended(double d) {
+  static const Falloff start = function(0), end = function(1);
+  static const double scale = 1 / (start.height - (end.height - end.slope));
+  const Falloff f = function(d);
+  return {scale * (f.height - (end.height + (d - 1) * end.slope)), scale * (f.slope - end.slope), scale * f.bend};
+}
+
+}  // namespace
 
 double sweep_length(const Liquid& liquid) { return 2 * liquid.capillary_length * liquid.sweep_scale; }
 
-double rise(const Liquid& liquid, double contact_angle, double beta) {
-  const double alpha =
-      liquid.height_rule == HeightRule::wetting ? glm::pi<double>() - (beta - contact_angle) : contact_angle;
-  return 2 * liquid.capillary_length * (1 - alpha / glm::pi<double>()) * liquid.height_scale;
+double rise(const Liquid& liquid, double contact_angle, double beta, double curvature) {
+  const double unit = liquid.height_scale * liquid.capillary_length, slope = beta - contact_angle;
+  switch (liquid.height_rule) {
+    case HeightRule::wetting:
+      return 2 * unit * slope / glm::pi<double>();
+    case HeightRule::equation2:
+      return 2 * unit * (1 - contact_angle / glm::pi<double>());
+    case HeightRule::exact:
+      break;
+  }
+  return unit * exact_rise(slope, curvature * liquid.capillary_length);
 }
 
-double profile(double d) { return d < 1 ? 1 - std::sin(glm::half_pi<double>() * d) : 0; }
+Falloff falloff(Profile profile, double d) {
+  if (!(d < 1)) return {};
+  switch (profile) {
+    case Profile::sine:
+      return sine(d);
+    case Profile::exponential:
+      return ended<decay>(d);
+    case Profile::circular:
+      return circular(d);
+    case Profile::bessel:
+      break;
+  }
+  return ended<bessel>(d);
+}
 
-double profile_slope(double d) { return d < 1 ? -glm::half_pi<double>() * std::cos(glm::half_pi<double>() * d) : 0; }
+double layer_spacing(Profile profile, double d) {  // a chord's error is spacing^2 bend / 8
+  const double most_bend = glm::half_pi<double>() * glm::half_pi<double>(), bend = falloff(profile, d).bend;
+  return std::max(kFinestLayer, kWidestLayer * std::min(1.0, std::sqrt(most_bend / bend)));
+}
 
 }  // namespace meniscus

@@ -1,4 +1,5 @@
-// The paper's height function, equation (2), and how its angle alpha is read.
+// The paper's height function, equation (2): how high the contact line stands and how the meniscus falls off from
+// there.
 #pragma once
 
 #include "meniscus/meniscus.h"
@@ -8,13 +9,22 @@ namespace meniscus {
 // Distance from the contour to the end of the meniscus: S = 2 L, times the artist's factor. Metres.
 double sweep_length(const Liquid& liquid);
 
-// Height of the contact line above the level liquid, h(0, alpha) = 2 L (1 - alpha / pi) times the artist's factor.
-// Metres, signed. `beta` is the dihedral angle between solid and level liquid, through the liquid (90 degrees for a
-// vertical wall); radians. wetting: alpha = pi - (beta - theta); equation2: alpha = theta, as printed.
-double rise(const Liquid& liquid, double contact_angle, double beta);
+// Height of the contact line above the level liquid by the liquid's height rule, times the artist's factor. Metres,
+// signed. `beta` is the dihedral angle between solid and level liquid, through the liquid (90 degrees for a vertical
+// wall); radians. `curvature` of the contour, 1/m, positive round a post. wetting and equation2: 2 L (1 - alpha / pi)
+// with alpha = pi - (beta - theta) or, as printed, theta; exact: by Young-Laplace, see young_laplace.h.
+double rise(const Liquid& liquid, double contact_angle, double beta, double curvature = 0);
 
-// The factor that eq. (2) applies to the rise at d = distance / S in [0, 1], 0 beyond; and its derivative by d.
-double profile(double d);
-double profile_slope(double d);
+// The factor on the rise at d = distance / S: 1 at the contact line, 0 from d = 1 on, where all profiles run out level;
+// and its derivatives by d. The circular one is vertical at the wall: its derivatives there are those at d = 1e-8.
+struct Falloff {
+  double height = 0, slope = 0, bend = 0;
+};
+Falloff falloff(Profile profile, double d);
+
+// Distance between layers, in sweep lengths, at which chords leave the profile no farther than the usual layers leave
+// the sine where it bends most.
+double layer_spacing(Profile profile, double d);
+constexpr double kWidestLayer = 1.0 / 66, kFinestLayer = 1.0 / 360;  // its range
 
 }  // namespace meniscus

@@ -56,9 +56,12 @@ Members find_members(const Raised& raised, const Sheet& sheet, std::size_t lines
   return of;
 }
 
-void lift_vertices(Raised& raised, const Sheet& sheet, const std::vector<std::uint32_t>& vertices, double sweep) {
+void lift_vertices(Raised& raised, const Sheet& sheet, const std::vector<std::uint32_t>& vertices,
+                   const ContactLine& line, bool flatten) {
   for (const std::uint32_t i : vertices) {
-    raised.at[i] = lift(sheet.vertices[i].foot, sweep, raised.base[i].position, raised.base[i].normal);
+    const Base& base = raised.base[i];
+    raised.at[i] = lift(sheet.vertices[i].foot, line.sweep, line.profile, base.position, base.normal);
+    if (flatten) raised.at[i].position = base.position;
   }
 }
 
@@ -147,7 +150,8 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i)
     raised.at[i] = {raised.base[i].position, raised.base[i].normal};
   const Members of = find_members(raised, sheet, lines.size());
-  for (std::size_t l = 0; l < lines.size(); ++l) lift_vertices(raised, sheet, of.vertices[l], lines[l].sweep);
+  for (std::size_t l = 0; l < lines.size(); ++l)
+    lift_vertices(raised, sheet, of.vertices[l], lines[l], parameters.flatten);
 
   Marks lowered;
   for (const ContactLine& line : lines) lowered.emplace_back(line.nodes.size(), false);
@@ -171,12 +175,12 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
         if (lines[l].nodes[i].room < 0.95 * before[i]) lowered[l][i] = true;
       bond(lines[l], bodies[lines[l].solid], parameters);
       differentiate(lines[l]);
-      lift_vertices(raised, sheet, of.vertices[l], lines[l].sweep);
+      lift_vertices(raised, sheet, of.vertices[l], lines[l], parameters.flatten);
     }
   }
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {  // where lines cross there is no node to be bonded
     const Sheet::Vertex& vertex = sheet.vertices[i];
-    if (!raised.used[i] || !vertex.crossing || !vertex.foot.exists()) continue;
+    if (parameters.flatten || !raised.used[i] || !vertex.crossing || !vertex.foot.exists()) continue;
     raised.at[i].position = nearest_on_solid(bodies[lines[vertex.foot.line].solid], raised.at[i].position);
   }
   std::map<std::string, Share> shares;

@@ -8,6 +8,7 @@
 #include "meniscus/band.h"
 #include "meniscus/field.h"
 #include "meniscus/predicates.h"
+#include "meniscus/profile.h"
 
 namespace meniscus {
 namespace {
@@ -43,13 +44,13 @@ void grade(std::vector<Size>& sizes, double length, bool closed) {
 std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
                                          const Patch& patch, double sweep_length, std::vector<std::string>& warnings) {
   const Field field(lines);
-  const double wide = kAspect * Grading::widest(sweep_length);
   std::vector<Resolution> result;
   double triangles = 0, whole = 0;  // length, metres
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const ContactLine& line = lines[l];
     const std::size_t n = line.nodes.size();
     const double fine = kFineColumn * sweep_length;
+    const double wide = kAspect * layer_spacing(line.profile, 0) * sweep_length;
     Resolution resolution;
     std::vector<double> free;
     for (const Node& node : line.nodes) {
@@ -75,7 +76,7 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
       const double step = glm::distance(line.nodes[i].position, line.next(i).position);
       const double reach = free[i] > 0 ? free[i] : sweep_length;
       constexpr double kAround = 1.4;  // triangles in and round the band, for each of the band's own
-      triangles += kAround * 2 * step / resolution.sizes[i].size * reach / Grading::widest(sweep_length);
+      triangles += kAround * 2 * step / resolution.sizes[i].size * reach / (kWidestLayer * sweep_length);
     }
     whole += length;
     result.push_back(std::move(resolution));

@@ -123,11 +123,6 @@ Material read_material(const tinygltf::Material& source, std::size_t index, Mess
   warn_of_unread_extras(source.extras, Place::material, object, messages);
   if (material.liquid) {
     complete_liquid(source, material);
-    const LiquidProperties& liquid = *material.liquid;
-    if (liquid.profile != "sine") messages.warn(object, "meniscus_profile is not used yet: sine is taken");
-    if (liquid.height_rule == "exact")
-      messages.warn(object, "meniscus_height_rule exact is not there yet: wetting is taken");
-    if (liquid.flatten) messages.warn(object, "meniscus_flatten is not used yet");
   }
   if (material.dielectric_priority)
     messages.warn(object, "dielectric_priority is not used yet: overlapping dielectrics refract as against air");

@@ -25,7 +25,14 @@ meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusM
                           .capillary_length = std::sqrt(p.surface_tension / (p.density * scene.gravity)),
                           .height_scale = model == MeniscusModel::none ? 0 : p.height_scale,
                           .sweep_scale = p.sweep_scale};
-  if (p.height_rule == "equation2") liquid.height_rule = meniscus::HeightRule::equation2;
+  using enum meniscus::HeightRule;
+  using enum meniscus::Profile;
+  liquid.height_rule = p.height_rule == "equation2" ? equation2 : p.height_rule == "exact" ? exact : wetting;
+  liquid.profile = p.profile == "exponential" ? exponential
+                   : p.profile == "circular"  ? circular
+                   : p.profile == "bessel"    ? bessel
+                                              : sine;
+  liquid.flatten = p.flatten;
   return liquid;
 }
 
