@@ -94,7 +94,7 @@ Listing build(const std::vector<shared::PhotonDisc>& discs, std::uint32_t mask, 
   return {cells.listed.download<std::uint32_t>(), cells.cells.download<glm::uvec2>()};
 }
 
-// (photons, cells of a level, by texel buffers)
+// (photons, cells of a level, by texel buffers, of which some devices allow 65,536 texels)
 class Cells : public testing::TestWithParam<std::tuple<std::uint32_t, std::uint32_t, bool>> {};
 
 TEST_P(Cells, ListTheirPhotonsInOrder) {
@@ -123,7 +123,7 @@ TEST_P(Cells, ListTheirPhotonsInOrder) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Cells,
                          testing::Values(std::tuple{3u, 1u << 12, true}, std::tuple{255u, 16u, false},
-                                         std::tuple{257u, 64u, true}, std::tuple{15011u, 1u << 7, true},
+                                         std::tuple{257u, 64u, true}, std::tuple{4001u, 1u << 7, true},
                                          std::tuple{100003u, 1u << 8, false}),
                          [](const auto& tested) { return std::to_string(std::get<0>(tested.param)); });
 
