@@ -60,7 +60,8 @@ struct RenderSettings {
   std::uint32_t photons_at_once =
       1u << 20;               // on the device: a pass of more takes them in turns, so that memory is bounded
   std::uint32_t samples = 1;  // camera paths a pixel and pass
-  // Where light is reflected in part: by roulette; each path in two at the first such surface; and at later ones, too.
+  // Where light is reflected in part, camera paths go 0: one way, by roulette; 1: both ways at the first such surface;
+  // 2: at later ones, too.
   std::uint32_t split = 0;
 
   std::uint32_t photons() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }  // per pass
