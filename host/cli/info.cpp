@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "host/render/contacts.h"
 #include "host/render/plan.h"
 #include "host/scene/scene.h"
+#include "host/world/menisci.h"
 #include "host/world/world.h"
 
 namespace meniscal {
@@ -21,18 +21,6 @@ using Json = nlohmann::ordered_json;
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
 std::string name_of(const Material& material) { return material.name.empty() ? "(unnamed)" : material.name; }
-
-// sqrt(surface tension / (density * gravity)), metres: the paper's length unit, section 3.
-double capillary_length(const LiquidProperties& liquid, double gravity) {
-  return std::sqrt(liquid.surface_tension / (liquid.density * gravity));
-}
-
-// Degrees, by the liquid's material; a solid that says nothing takes the liquid's default.
-double contact_angle(const Material& solid, const Material& liquid) {
-  const auto with = solid.contact_angle_with.find(liquid.name);
-  if (with != solid.contact_angle_with.end()) return with->second;
-  return solid.contact_angle.value_or(liquid.liquid->default_contact_angle);
-}
 
 std::string light_type(PunctualLight::Type type) {
   switch (type) {

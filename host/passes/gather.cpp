@@ -57,8 +57,8 @@ void GatherPass::run(gpu::Commands& commands, const Grid& grid) {
 }
 
 std::size_t largest_table(std::size_t photons, std::size_t pixels) {
-  constexpr std::size_t texels = sizeof(shared::PixelSample) / 16, most_pixels = 1u << 20;  // of a tile
-  return std::max(2 * entry_capacity(photons), texels * std::min(pixels, most_pixels));
+  constexpr std::size_t texels = sizeof(shared::PixelSample) / 16;
+  return std::max(2 * entry_capacity(photons), texels * std::min(pixels, most_tile_pixels));
 }
 
 }  // namespace meniscal::passes

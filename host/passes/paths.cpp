@@ -85,12 +85,12 @@ void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& set
 }
 
 void PathsPass::trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass,
-                             const View& view, bool keeps) {
+                             const View& view) {
   view_.upload(std::vector{make_view(settings, pass)});
   shared::PathPush push = make_push(world_, settings, shared::PATHS_CAMERA, pass);
   push.sample_index = view.sample;
   push.branch = view.branch;
-  push.keeps = keeps ? 1 : 0;
+  push.keeps = keeps_irradiance(settings, view) ? 1 : 0;
   for (std::size_t t = 0; t < tiles_.size() && tiles_[t].first < settings.crop.pixels(); ++t) {
     push.buffer_first = tiles_[t].first;
     const auto pixels = static_cast<std::uint32_t>(settings.crop.pixels() - tiles_[t].first);

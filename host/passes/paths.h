@@ -19,9 +19,9 @@ class PathsPass {
   // Photons first .. first + count of a pass, into the buffers from their beginning on.
   void trace_photons(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, std::uint32_t first,
                      std::uint32_t count, const Grid& grid);
-  // One path for each pixel of the crop, into the tiles from their beginning on. keeps: see PathPush.
-  void trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, const View& view,
-                    bool keeps = false);
+  // One path for each pixel of the crop, into the tiles from their beginning on; what keeps_irradiance finds that
+  // of the sample before there.
+  void trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass, const View& view);
 
  private:
   const World& world_;

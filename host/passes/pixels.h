@@ -6,6 +6,8 @@
 
 namespace meniscal::passes {
 
+constexpr std::size_t most_tile_pixels = 1u << 20;
+
 struct PixelTile {
   std::uint32_t first, count;  // pixels of the crop, row by row
   std::uint32_t width;         // of a row
@@ -15,7 +17,7 @@ struct PixelTile {
 // Whole rows of `width` pixels each.
 inline std::vector<PixelTile> make_tiles(const gpu::Device& device, std::size_t pixels, std::uint32_t width) {
   const std::size_t most =
-      std::min<std::size_t>(device.limits().max_storage_range / sizeof(shared::PixelSample), 1u << 20);
+      std::min<std::size_t>(device.limits().max_storage_range / sizeof(shared::PixelSample), most_tile_pixels);
   const std::size_t rows = std::max<std::size_t>(most / width, 1) * width;
   std::vector<PixelTile> tiles;
   for (std::size_t first = 0; first < pixels; first += rows) {

@@ -47,7 +47,7 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
     for (std::size_t i = 0; i < samples.size(); ++i) {
       shared::PixelSample& sample = samples[i];
       if (sample.triangle >= shared::END_FIRST) continue;
-      if (view.sample > 0 && gathers_at_centres(settings_) && before[i].triangle == sample.triangle) {
+      if (keeps_irradiance(settings_, view) && before[i].triangle == sample.triangle) {
         sample.lit = 1;
         sample.targeted = before[i].targeted, sample.targeted_count = before[i].targeted_count;
         sample.caustic = before[i].caustic, sample.caustic_count = before[i].caustic_count;

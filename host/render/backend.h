@@ -71,6 +71,11 @@ inline std::vector<View> views_of(const RenderSettings& settings) {
   if (settings.split > 1) add(shared::BRANCH_LATER);
   return views;
 }
+// Whether samples that end on the triangle of the one before keep its maps' irradiances: but for round discs, all of a
+// pixel are gathered at its centre, so on one triangle at one place.
+inline bool keeps_irradiance(const RenderSettings& settings, const View& view) {
+  return view.sample > 0 && !settings.discs.round();
+}
 // Samples of the crop, row by row.
 using TakeSamples = std::function<void(const std::vector<shared::PixelSample>&, const View&)>;
 

@@ -45,10 +45,10 @@ class Film {
   glm::dvec3 variance(std::size_t pixel) const;
 
   Crop crop_;
-  std::uint32_t samples_ = 0;  // a pixel's, of all passes; split paths once
   MapScale scale_;
   glm::dvec3 origin_;
   std::uint32_t passes_ = 0;
+  std::uint32_t samples_ = 0;                 // a pixel's, of all passes; split paths once
   std::uint32_t pass_samples_ = 0;            // of the pass that is under way: a pixel's, split paths once
   std::vector<glm::dvec3> pass_;              // their sum
   std::vector<glm::dvec3> beauty_, squares_;  // over the passes

@@ -87,15 +87,11 @@ struct GpuBackend::Passes {
     }
   }
 
-  void trace_camera(std::uint32_t pass, const View& view) {
-    paths.trace_camera(commands, settings, pass, view, view.sample > 0 && gathers_at_centres(settings));
-  }
-
   // One camera path a pixel, lit by the photons of the pass, and how these ended.
   Tallies render(std::uint32_t pass, const View& view) {
     Tallies tallies;
     for (Tally& t : tallies) t.flux_landed.resize(world.surfaces.size());
-    trace_camera(pass, view);
+    paths.trace_camera(commands, settings, pass, view);
     grids = 0;
     trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
       for (std::uint32_t first = 0; first < count; ++grids) {
@@ -114,7 +110,7 @@ struct GpuBackend::Passes {
       render(pass, view);
       return;
     }
-    trace_camera(pass, view);
+    paths.trace_camera(commands, settings, pass, view);
     if (grids == 1) maps->gather.run(commands, passes::make_grid(settings.photons(), pass_discs(settings.discs, pass)));
   }
 
@@ -160,7 +156,7 @@ std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
 }
 
 std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass, const View& view) {
-  passes_->trace_camera(pass, view);
+  passes_->paths.trace_camera(passes_->commands, passes_->settings, pass, view);
   return passes_->samples();
 }
 

@@ -76,9 +76,6 @@ inline float pixel_jitter(const RenderSettings& settings, std::uint32_t pass) {
   return pass == 0 && settings.samples == 1 && !settings.discs.round() ? 0 : 1;
 }
 
-// All samples of a pixel are gathered at its centre: those that end on one triangle, at one place.
-inline bool gathers_at_centres(const RenderSettings& settings) { return !settings.discs.round(); }
-
 // From where a ray ends to where the pixel's centre sees the same plane, at the most, m. Where it is further, the pixel
 // sees so much through a curved surface that its differentials tell nothing.
 inline double most_shift(const RenderSettings& settings) { return 2 * settings.footprint; }

@@ -8,21 +8,24 @@
 #include "host/error.h"
 
 namespace meniscal {
-namespace {
+
+double capillary_length(const LiquidProperties& liquid, double gravity) {
+  return std::sqrt(liquid.surface_tension / (liquid.density * gravity));
+}
 
 double contact_angle(const Material& solid, const Material& liquid) {
-  const auto named = solid.contact_angle_with.find(liquid.name);
-  const double degrees = named != solid.contact_angle_with.end()
-                             ? named->second
-                             : solid.contact_angle.value_or(liquid.liquid->default_contact_angle);
-  return glm::radians(degrees);
+  const auto with = solid.contact_angle_with.find(liquid.name);
+  if (with != solid.contact_angle_with.end()) return with->second;
+  return solid.contact_angle.value_or(liquid.liquid->default_contact_angle);
 }
+
+namespace {
 
 meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusModel model) {
   const LiquidProperties& p = *scene.materials[object.material].liquid;
   meniscus::Liquid liquid{.name = object.name,
                           .mesh = object.mesh,
-                          .capillary_length = std::sqrt(p.surface_tension / (p.density * scene.gravity)),
+                          .capillary_length = capillary_length(p, scene.gravity),
                           .height_scale = model == MeniscusModel::none ? 0 : p.height_scale,
                           .sweep_scale = p.sweep_scale};
   using enum meniscus::HeightRule;
@@ -40,7 +43,8 @@ std::vector<meniscus::Solid> solids_for(const Scene& scene, const Material& liqu
   std::vector<meniscus::Solid> solids;
   for (const Object& o : scene.objects) {
     const Material& m = scene.materials[o.material];
-    if (!m.liquid && !m.target && !m.meniscus_ignore) solids.push_back({o.name, o.mesh, contact_angle(m, liquid)});
+    if (!m.liquid && !m.target && !m.meniscus_ignore)
+      solids.push_back({o.name, o.mesh, glm::radians(contact_angle(m, liquid))});
   }
   return solids;
 }

@@ -12,6 +12,11 @@ namespace meniscal {
 
 enum class MeniscusModel { none, paper, exact };  // exact: not built yet, answered by `paper` with a warning
 
+// sqrt(surface tension / (density * gravity)), metres: the paper's length unit, section 3.
+double capillary_length(const LiquidProperties& liquid, double gravity);
+// Degrees, by the liquid's material; a solid that says nothing takes the liquid's default.
+double contact_angle(const Material& solid, const Material& liquid);
+
 struct LiquidSurface {
   std::size_t object;  // of the scene; liquid
   meniscus::Surface surface;

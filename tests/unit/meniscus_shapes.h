@@ -23,6 +23,26 @@ inline void add_triangle(TriangleMesh& mesh, const glm::dvec3& a, const glm::dve
   mesh.triangles.emplace_back(first, first + 1, first + 2);
 }
 
+struct TubeEnd {
+  glm::dvec3 centre, normal;
+};
+// Joins `rings` + 1 rings of `facets` vertices each, which are all the mesh has, to a closed solid with flat ends.
+inline void close_tube(TriangleMesh& mesh, int facets, int rings, const TubeEnd& start, const TubeEnd& end) {
+  const auto at = [&](int i, int j) { return static_cast<unsigned>(j * facets + i % facets); };
+  for (int j = 0; j < rings; ++j) {
+    for (int i = 0; i < facets; ++i) {
+      mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  for (int i = 0; i < facets; ++i) {
+    const glm::dvec3 a = mesh.positions[at(i, 0)], b = mesh.positions[at(i + 1, 0)];
+    const glm::dvec3 c = mesh.positions[at(i, rings)], d = mesh.positions[at(i + 1, rings)];
+    add_triangle(mesh, b, a, start.centre, start.normal);
+    add_triangle(mesh, c, d, end.centre, end.normal);
+  }
+}
+
 // A closed surface of revolution about +Y with smooth normals on its side and flat caps; radius(y) from y0 to y1.
 inline TriangleMesh revolve(const std::function<double(double)>& radius, double y0, double y1, int facets, int rings) {
   TriangleMesh mesh;
@@ -37,19 +57,7 @@ inline TriangleMesh revolve(const std::function<double(double)>& radius, double 
       mesh.normals.push_back(glm::normalize(glm::dvec3(std::sin(a), -slope, std::cos(a))));
     }
   }
-  const auto at = [&](int i, int j) { return static_cast<unsigned>(j * facets + i % facets); };
-  for (int j = 0; j < rings; ++j) {
-    for (int i = 0; i < facets; ++i) {
-      mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  }
-  for (int i = 0; i < facets; ++i) {
-    const glm::dvec3 a = mesh.positions[at(i, 0)], b = mesh.positions[at(i + 1, 0)];
-    const glm::dvec3 c = mesh.positions[at(i, rings)], d = mesh.positions[at(i + 1, rings)];
-    add_triangle(mesh, b, a, {0, y0, 0}, {0, -1, 0});
-    add_triangle(mesh, c, d, {0, y1, 0}, {0, 1, 0});
-  }
+  close_tube(mesh, facets, rings, {{0, y0, 0}, {0, -1, 0}}, {{0, y1, 0}, {0, 1, 0}});
   return mesh;
 }
 

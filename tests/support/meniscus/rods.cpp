@@ -30,19 +30,7 @@ TriangleMesh rod(const std::function<dvec3(double)>& curve, const std::function<
       mesh.normals.push_back(n);
     }
   }
-  const auto at = [&](int i, int j) { return static_cast<unsigned>(j * facets + i % facets); };
-  for (int j = 0; j < steps; ++j) {
-    for (int i = 0; i < facets; ++i) {
-      mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  }
-  for (int i = 0; i < facets; ++i) {
-    const dvec3 a = mesh.positions[at(i, 0)], b = mesh.positions[at(i + 1, 0)];
-    const dvec3 c = mesh.positions[at(i, steps)], d = mesh.positions[at(i + 1, steps)];
-    add_triangle(mesh, b, a, curve(0), -tangent(0));
-    add_triangle(mesh, c, d, curve(1), tangent(1));
-  }
+  close_tube(mesh, facets, steps, {curve(0), -tangent(0)}, {curve(1), tangent(1)});
   return mesh;
 }
 
