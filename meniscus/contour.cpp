@@ -106,8 +106,8 @@ class Search {
 };
 
 // A solid that only stands on the level with a whole face wets it: it is shifted down, any other solid up.
-Shift choose_shift(const Topology& solid, const Box& surface, const std::string& name,
-                   std::vector<std::string>& warnings) {
+Shift choose_shift(const std::vector<Body>& bodies, std::size_t s, const Box& surface, Warnings& warnings) {
+  const Topology& solid = bodies[s].mesh;
   Box box;
   for (const glm::dvec3& p : solid.points) box.add(p);
   bool at_level = false, bottom = false;
@@ -119,8 +119,10 @@ Shift choose_shift(const Topology& solid, const Box& surface, const std::string&
     bottom = bottom || y == box.low.y;
   }
   if (at_level) {
-    warnings.push_back("solid '" + name + "' has a face exactly at the level of the liquid: taken as wetted, moved " +
-                       (bottom ? "down" : "up") + " by an infinitesimal amount");
+    warnings.push_back({"solid '" + bodies[s].name +
+                            "' has a face exactly at the level of the liquid: taken as wetted, moved " +
+                            (bottom ? "down" : "up") + " by an infinitesimal amount",
+                        {s}});
   }
   return {bottom ? -1 : 1};
 }
@@ -151,8 +153,9 @@ std::vector<std::uint32_t> free_surface(const Topology& liquid) {
 }
 
 std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std::uint32_t>& surface,
-                                   const Tree& surface_tree, const Topology& solid, const std::string& solid_name,
-                                   std::vector<std::string>& warnings) {
+                                   const Tree& surface_tree, const std::vector<Body>& bodies, std::size_t s,
+                                   Warnings& warnings) {
+  const Topology& solid = bodies[s].mesh;
   Box level;
   for (const std::uint32_t f : surface) level.add(liquid.box(f));
   std::vector<std::uint32_t> near;
@@ -160,7 +163,7 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
     if (solid.box(t).overlaps(level)) near.push_back(static_cast<std::uint32_t>(t));
   }
   if (near.empty()) return {};
-  Search search(liquid, solid, choose_shift(solid, level, solid_name, warnings));
+  Search search(liquid, solid, choose_shift(bodies, s, level, warnings));
   for (const std::uint32_t t : near) {
     std::vector<std::uint32_t> hits;
     surface_tree.overlapping(solid.box(t), [&](std::uint32_t i) { hits.push_back(surface[i]); });
@@ -172,9 +175,9 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
   const std::vector<ContourPoint>& points = search.points();
   std::multimap<std::uint32_t, std::uint32_t> starting;  // point -> segment
   std::vector<int> arriving(points.size(), 0);
-  for (std::uint32_t s = 0; s < segments.size(); ++s) {
-    starting.emplace(segments[s].from, s);
-    ++arriving[segments[s].to];
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    starting.emplace(segments[i].from, i);
+    ++arriving[segments[i].to];
   }
   std::vector<bool> used(segments.size(), false);
   std::vector<Contour> result;
@@ -183,19 +186,19 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
     Contour contour{false, {}};
     std::optional<glm::dvec3> before;
     std::uint32_t at = segments[first].from;
-    for (std::optional<std::uint32_t> s = first; s;) {
-      used[*s] = true;
+    for (std::optional<std::uint32_t> next = first; next;) {
+      used[*next] = true;
       ContourPoint p = points[at];
-      p.after = segments[*s].normal_from;
+      p.after = segments[*next].normal_from;
       p.before = before.value_or(p.after);
       contour.points.push_back(p);
-      before = segments[*s].normal_to;
-      at = segments[*s].to;
-      s.reset();
+      before = segments[*next].normal_to;
+      at = segments[*next].to;
+      next.reset();
       if (at == segments[first].from) break;
       const auto [low, high] = starting.equal_range(at);
-      for (auto i = low; i != high && !s; ++i) {
-        if (!used[i->second]) s = i->second;
+      for (auto i = low; i != high && !next; ++i) {
+        if (!used[i->second]) next = i->second;
       }
     }
     if (at == segments[first].from) {
@@ -215,16 +218,18 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
       ++open;
     }
   };
-  for (std::uint32_t s = 0; s < segments.size(); ++s) {
-    if (!used[s] && arriving[segments[s].from] == 0) follow(s);
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    if (!used[i] && arriving[segments[i].from] == 0) follow(i);
   }
-  for (std::uint32_t s = 0; s < segments.size(); ++s) {
-    if (!used[s]) follow(s);
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    if (!used[i]) follow(i);
   }
   if (open > 0) {
-    warnings.push_back("solid '" + solid_name + "' is open where it meets the liquid: " + std::to_string(open) +
-                       (open == 1 ? " contour that ends" : " contours that end") +
-                       " within the liquid enclose nothing and get no meniscus; close the solid or give it thickness");
+    warnings.push_back({"solid '" + bodies[s].name + "' is open where it meets the liquid: " + std::to_string(open) +
+                            (open == 1 ? " contour that ends within the liquid encloses nothing and gets no meniscus"
+                                       : " contours that end within the liquid enclose nothing and get no meniscus") +
+                            "; close the solid or give it thickness",
+                        {s}});
   }
   return result;
 }

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "meniscus/topology.h"
+#include "meniscus/body.h"
+#include "meniscus/warning.h"
 
 namespace meniscus {
 
@@ -26,11 +26,11 @@ struct Contour {
 // The free surface of a liquid: those of its triangles that face up, as indices into Topology::triangles.
 std::vector<std::uint32_t> free_surface(const Topology& liquid);
 
-// All contours of one solid (oriented outward) in the liquid's free surface, found with exact predicates: every pair of
+// All contours of bodies[solid] in the liquid's free surface, found with exact predicates: every pair of
 // triangles gives one segment or none, its end points are known by the pair (edge, triangle) that makes them, ties are
 // shifted away. Contours that end within the liquid are left out with a warning, since they part nothing.
 std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std::uint32_t>& surface,
-                                   const Tree& surface_tree, const Topology& solid, const std::string& solid_name,
-                                   std::vector<std::string>& warnings);
+                                   const Tree& surface_tree, const std::vector<Body>& bodies, std::size_t solid,
+                                   Warnings& warnings);
 
 }  // namespace meniscus

@@ -15,16 +15,16 @@ constexpr std::uint32_t kNone = Triangulation::kNone;
 // Of solids round a point, from their winding numbers.
 struct Around {
   int count = 0;
-  double doubt = 0;      // how far from whole numbers these are
-  std::string doubtful;  // the solid whose is farthest
+  double doubt = 0;          // how far from whole numbers these are
+  std::size_t doubtful = 0;  // the solid whose is farthest
 };
 
 Around solids_around(const std::vector<Body>& bodies, const glm::dvec3& p) {
   Around around;
-  for (const Body& body : bodies) {
-    const double winding = winding_number(body.mesh, p), doubt = std::abs(winding - std::round(winding));
+  for (std::size_t s = 0; s < bodies.size(); ++s) {
+    const double winding = winding_number(bodies[s].mesh, p), doubt = std::abs(winding - std::round(winding));
     around.count += static_cast<int>(std::lround(winding));
-    if (doubt > around.doubt) around.doubt = doubt, around.doubtful = body.name;
+    if (doubt > around.doubt) around.doubt = doubt, around.doubtful = s;
   }
   return around;
 }
@@ -32,7 +32,7 @@ Around solids_around(const std::vector<Body>& bodies, const glm::dvec3& p) {
 }  // namespace
 
 Winding find_windings(const Triangulation& mesh, const Patch& base, const std::vector<Body>& bodies,
-                      std::vector<std::string>& warnings) {
+                      Warnings& warnings) {
   constexpr int kUnknown = 1 << 30;
   const auto& triangles = mesh.triangles();
   Winding result{std::vector<int>(triangles.size(), kUnknown), std::vector<int>(triangles.size(), kUnknown)};
@@ -72,7 +72,7 @@ Winding find_windings(const Triangulation& mesh, const Patch& base, const std::v
     const auto larger = [&](std::uint32_t a, std::uint32_t b) { return std::pair(area(a), b) > std::pair(area(b), a); };
     std::partial_sort(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(tries), part.end(), larger);
     int shift = 0;
-    Around best{0, 1, {}};
+    Around best{0, 1, 0};
     for (std::size_t k = 0; k < tries && best.doubt > 0.25; ++k) {
       const auto& v = triangles[part[k]].v;
       const glm::dvec2 x = (mesh.points()[v[0]] + mesh.points()[v[1]] + mesh.points()[v[2]]) / 3.0;
@@ -80,7 +80,9 @@ Winding find_windings(const Triangulation& mesh, const Patch& base, const std::v
       if (around.doubt < best.doubt) best = around, shift = around.count - result.solid[part[k]];
     }
     if (best.doubt > 0.25)
-      warnings.push_back("solid '" + best.doubtful + "' is open: which side of it is liquid is a guess; close it");
+      warnings.push_back(
+          {"solid '" + bodies[best.doubtful].name + "' is open: which side of it is liquid is a guess; close it",
+           {best.doubtful}});
     for (const std::uint32_t u : part) result.solid[u] += shift;
   }
   return result;

@@ -1,12 +1,12 @@
 // Which side is liquid: winding numbers of the solids over the surface, found by flooding it.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "meniscus/bond.h"
 #include "meniscus/patch.h"
 #include "meniscus/triangulate.h"
+#include "meniscus/warning.h"
 
 namespace meniscus {
 
@@ -19,7 +19,7 @@ struct Winding {
 // the solids. A seed's number of solids comes from generalised winding numbers; far from whole ones (open solids) there
 // is a warning.
 Winding find_windings(const Triangulation& mesh, const Patch& base, const std::vector<Body>& bodies,
-                      std::vector<std::string>& warnings);
+                      Warnings& warnings);
 
 // Per triangle of the liquid: true for those of the free surface beside the patch that lie inside solids. Reached from
 // the patch's border, where `drowned` are its edges inside solids; parts of the surface that no contour meets are asked

@@ -19,7 +19,7 @@
 namespace meniscus {
 namespace {
 
-Topology weld_liquid(const Liquid& liquid, std::vector<std::uint32_t>& surface, std::vector<std::string>& warnings) {
+Topology weld_liquid(const Liquid& liquid, std::vector<std::uint32_t>& surface, Warnings& warnings) {
   if (!(liquid.capillary_length > 0) || !std::isfinite(liquid.capillary_length)) {
     throw std::invalid_argument("liquid '" + liquid.name + "': the capillary length must be positive and finite");
   }
@@ -39,7 +39,7 @@ Topology weld_liquid(const Liquid& liquid, std::vector<std::uint32_t>& surface, 
       throw std::invalid_argument("liquid '" + liquid.name +
                                   "' has no surface that faces up: +Y is up, check its orientation");
     }
-    warnings.push_back("liquid '" + liquid.name + "' faces down: taken as turned over");
+    warnings.push_back({"liquid '" + liquid.name + "' faces down: taken as turned over"});
   }
   if (liquid.mesh.normals.empty()) {  // smooth ones for the free surface, weighted by area
     std::vector<glm::dvec3> sum(mesh.points.size(), glm::dvec3(0));
@@ -87,7 +87,7 @@ void straighten_normals(Topology& mesh) {
     }
 }
 
-std::vector<Body> weld_solids(const std::vector<Solid>& solids, std::vector<std::string>& warnings) {
+std::vector<Body> weld_solids(const std::vector<Solid>& solids, Warnings& warnings) {
   std::vector<Body> bodies;
   for (const Solid& solid : solids) {
     if (!(solid.contact_angle >= 0 && solid.contact_angle <= 3.1415926536)) {
@@ -96,8 +96,9 @@ std::vector<Body> weld_solids(const std::vector<Solid>& solids, std::vector<std:
     Topology mesh = weld(solid.mesh, solid.name);
     drop_repeated(mesh);
     if (const std::size_t turned = orient_alike(mesh)) {
-      warnings.push_back("solid '" + solid.name + "': " + std::to_string(turned) +
-                         " triangles face the other way than their neighbours: taken as turned over");
+      warnings.push_back({"solid '" + solid.name + "': " + std::to_string(turned) +
+                              " triangles face the other way than their neighbours: taken as turned over",
+                          {bodies.size()}});
     }
     orient_outward(mesh);
     straighten_normals(mesh);
@@ -135,12 +136,14 @@ Contact describe(const ContactLine& line, const Body& body) {
 }
 
 // What is known of the whole surface, told of each contact.
-void share_out(Surface& surface, const std::vector<std::size_t>& line) {
+void share_out(Surface& surface, const std::vector<std::size_t>& line, const std::vector<ContactLine>& lines,
+               const Warnings& warnings) {
   for (std::size_t t = 0; t < line.size(); ++t)
     if (surface.meniscus[t]) ++surface.contacts[line[t]].triangles;
-  for (Contact& contact : surface.contacts)
-    for (const std::string& w : surface.warnings)
-      if (w.find("solid '" + contact.solid + "'") != std::string::npos) contact.warnings.push_back(w);
+  for (std::size_t l = 0; l < lines.size(); ++l)
+    for (const Warning& w : warnings)
+      if (std::find(w.solids.begin(), w.solids.end(), lines[l].solid) != w.solids.end())
+        surface.contacts[l].warnings.push_back(w.text);
 }
 
 void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
@@ -158,7 +161,7 @@ void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
 
 // Says what is not as it must be; a picture is still possible.
 void check(const Liquid& liquid, const Stitched& result, const std::vector<ContactLine>& lines,
-           const std::vector<Body>& bodies, std::vector<std::string>& warnings) {
+           const std::vector<Body>& bodies, Warnings& warnings) {
   const Report report = inspect(result.mesh);
   std::size_t gaps = 0;
   for (const auto& [a, b] : report.boundary) {
@@ -170,22 +173,22 @@ void check(const Liquid& liquid, const Stitched& result, const std::vector<Conta
   }
   const std::size_t rejected_before = report.rejected > 0 ? inspect(liquid.mesh).rejected : 0;
   if (report.rejected > rejected_before) {
-    warnings.push_back("liquid '" + liquid.name + "': " + std::to_string(report.rejected - rejected_before) +
-                       " triangles make its surface non-manifold");
+    warnings.push_back({"liquid '" + liquid.name + "': " + std::to_string(report.rejected - rejected_before) +
+                        " triangles make its surface non-manifold"});
   }
   if (gaps > 0)
-    warnings.push_back("liquid '" + liquid.name + "': " + std::to_string(gaps) + " edges of its surface lie open");
-  std::map<std::string, std::size_t> folded;
+    warnings.push_back({"liquid '" + liquid.name + "': " + std::to_string(gaps) + " edges of its surface lie open"});
+  std::map<std::size_t, std::size_t> folded;  // triangles, by solid
   for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
     if (!result.meniscus[t]) continue;
     const glm::uvec3& v = result.mesh.triangles[t];
     const auto& p = result.mesh.positions;
-    if (orient2d(planar(p[v.x]), planar(p[v.y]), planar(p[v.z])) <= 0)
-      ++folded[bodies[lines[result.line[t]].solid].name];
+    if (orient2d(planar(p[v.x]), planar(p[v.y]), planar(p[v.z])) <= 0) ++folded[lines[result.line[t]].solid];
   }
-  for (const auto& [name, count] : folded) {
-    warnings.push_back("solid '" + name + "': " + std::to_string(count) +
-                       " triangles of its meniscus overhang or fold over");
+  for (const auto& [solid, count] : folded) {
+    warnings.push_back({"solid '" + bodies[solid].name + "': " + std::to_string(count) +
+                            " triangles of its meniscus overhang or fold over",
+                        {solid}});
   }
 }
 
@@ -193,11 +196,12 @@ void check(const Liquid& liquid, const Stitched& result, const std::vector<Conta
 
 Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   Surface result;
+  Warnings warnings;
   std::vector<std::uint32_t> surface;
-  Topology level = weld_liquid(liquid, surface, result.warnings);
-  const std::vector<Body> bodies = weld_solids(solids, result.warnings);
+  Topology level = weld_liquid(liquid, surface, warnings);
+  const std::vector<Body> bodies = weld_solids(solids, warnings);
   constexpr double kSnap = 0.02;  // capillary lengths
-  snap_border(level, surface, liquid.name, bodies, kSnap * liquid.capillary_length, result.warnings);
+  snap_border(level, surface, liquid.name, bodies, kSnap * liquid.capillary_length, warnings);
   const double reach = sweep_length(liquid);
 
   std::vector<Box> boxes;
@@ -206,7 +210,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   std::vector<Contour> contours;
   std::vector<ContactLine> lines;  // evenly fine at first: these show where columns may stand farther apart
   for (std::size_t s = 0; s < bodies.size(); ++s) {
-    for (Contour& contour : find_contours(level, surface, tree, bodies[s].mesh, bodies[s].name, result.warnings)) {
+    for (Contour& contour : find_contours(level, surface, tree, bodies, s, warnings)) {
       lines.push_back(refine(contour, s, reach));
       lines.back().profile = liquid.profile;
       contours.push_back(std::move(contour));
@@ -214,7 +218,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   }
   constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
   const Patch patch(level, surface, lines, kMargin * reach);
-  const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, reach, result.warnings);
+  const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, reach, warnings);
   constexpr double kCurved = 1;  // capillary lengths: fits the equilibrium of an ellipse best
   for (std::size_t l = 0; l < lines.size(); ++l) {
     lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
@@ -222,34 +226,37 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
     measure_curvature(lines[l], kCurved * liquid.capillary_length);
   }
   find_free_lengths(lines, reach);
-  std::map<std::string, Share> pinned;
+  std::map<std::size_t, Share> pinned;  // by solid
   for (ContactLine& line : lines) {
     const Body& body = bodies[line.solid];
-    pinned[body.name].add(bond(line, body, liquid), line.nodes.size());
+    pinned[line.solid].add(bond(line, body, liquid), line.nodes.size());
     differentiate(line);
   }
-  for (const auto& [name, share] : pinned) {
+  for (const auto& [solid, share] : pinned) {
     if (share.part == 0) continue;
-    result.warnings.push_back("solid '" + name + "': the contact line is pinned along " + share.percent() +
-                              " of its length: the solid ends before the meniscus does, or slants too much for it");
+    warnings.push_back({"solid '" + bodies[solid].name + "': the contact line is pinned along " + share.percent() +
+                            " of its length: the solid ends before the meniscus does, or slants too much for it",
+                        {solid}});
   }
-  const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, result.warnings);
+  const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, warnings);
   if (sheet.overlaps) {
-    result.warnings.push_back("liquid '" + liquid.name + "' lies over itself, seen from above, near solid '" +
-                              bodies[lines.front().solid].name + (lines.size() > 1 ? "' or another" : "'") +
-                              ": it is left as it is, without menisci");
+    warnings.push_back({"liquid '" + liquid.name + "' lies over itself, seen from above, near solid '" +
+                        bodies[lines.front().solid].name + (lines.size() > 1 ? "' or another" : "'") +
+                        ": it is left as it is, without menisci"});
+    for (Warning& w : warnings) result.warnings.push_back(std::move(w.text));
     result.mesh = liquid_as_it_is(level);
     result.meniscus.assign(result.mesh.triangles.size(), 0);
     return result;
   }
-  const Raised raised = raise(level, surface, patch, sheet, lines, bodies, liquid, result.warnings);
+  const Raised raised = raise(level, surface, patch, sheet, lines, bodies, liquid, warnings);
   Stitched stitched = stitch(level, surface, patch, sheet, raised, bodies);
-  if (!lines.empty()) check(liquid, stitched, lines, bodies, result.warnings);
+  if (!lines.empty()) check(liquid, stitched, lines, bodies, warnings);
 
   for (const ContactLine& line : lines) result.contacts.push_back(describe(line, bodies[line.solid]));
   result.mesh = std::move(stitched.mesh);
   result.meniscus = std::move(stitched.meniscus);
-  share_out(result, stitched.line);
+  share_out(result, stitched.line, lines, warnings);
+  for (Warning& w : warnings) result.warnings.push_back(std::move(w.text));
   return result;
 }
 

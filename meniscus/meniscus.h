@@ -59,7 +59,7 @@ struct Surface {
   TriangleMesh mesh;                   // always with normals: analytic on the menisci, the liquid's own elsewhere
   std::vector<std::uint8_t> meniscus;  // per triangle: 1 on a meniscus (a photon target), 0 on the rest of the liquid
   std::vector<Contact> contacts;
-  std::vector<std::string> warnings;  // each names the solid and says what was done
+  std::vector<std::string> warnings;  // each names solid or liquid and says what was done
 };
 
 // Cuts the liquid where the solids pierce it, drops what lies inside them, raises a meniscus round every contour and

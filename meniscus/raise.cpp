@@ -141,7 +141,7 @@ void lower(ContactLine& line, const std::vector<bool>& marked, bool to_level) {
 
 Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch, const Sheet& sheet,
              std::vector<ContactLine>& lines, const std::vector<Body>& bodies, const Liquid& parameters,
-             std::vector<std::string>& warnings) {
+             Warnings& warnings) {
   Raised raised{std::vector<bool>(sheet.vertices.size(), false), {}, {}};
   raised.base.resize(sheet.vertices.size());
   raised.at.resize(sheet.vertices.size());
@@ -183,15 +183,16 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
     if (parameters.flatten || !raised.used[i] || !vertex.crossing || !vertex.foot.exists()) continue;
     raised.at[i].position = nearest_on_solid(bodies[lines[vertex.foot.line].solid], raised.at[i].position);
   }
-  std::map<std::string, Share> shares;
+  std::map<std::size_t, Share> shares;  // by solid
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const auto count = std::count(lowered[l].begin(), lowered[l].end(), true);
-    shares[bodies[lines[l].solid].name].add(static_cast<std::size_t>(count), lowered[l].size());
+    shares[lines[l].solid].add(static_cast<std::size_t>(count), lowered[l].size());
   }
-  for (const auto& [name, share] : shares) {
+  for (const auto& [solid, share] : shares) {
     if (share.part == 0) continue;
-    warnings.push_back("solid '" + name + "': its meniscus is lowered along " + share.percent() +
-                       " of its contact line: at its full height it would fold, or cut into the solid");
+    warnings.push_back({"solid '" + bodies[solid].name + "': its meniscus is lowered along " + share.percent() +
+                            " of its contact line: at its full height it would fold, or cut into the solid",
+                        {solid}});
   }
   return raised;
 }

@@ -4,6 +4,7 @@
 #include "meniscus/lift.h"
 #include "meniscus/meniscus.h"
 #include "meniscus/remesh.h"
+#include "meniscus/warning.h"
 
 namespace meniscus {
 
@@ -25,6 +26,6 @@ struct Raised {
 // down to the level, at which the sheet is what the triangulation made.
 Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch, const Sheet& sheet,
              std::vector<ContactLine>& lines, const std::vector<Body>& bodies, const Liquid& parameters,
-             std::vector<std::string>& warnings);
+             Warnings& warnings);
 
 }  // namespace meniscus

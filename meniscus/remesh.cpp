@@ -158,7 +158,7 @@ class Builder {
 }  // namespace
 
 Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<ContactLine>& lines,
-             const std::vector<Body>& bodies, double sweep_length, std::vector<std::string>& warnings) {
+             const std::vector<Body>& bodies, double sweep_length, Warnings& warnings) {
   Builder builder(liquid, patch, lines, sweep_length);
   builder.fill();
   const Triangulation& mesh = builder.mesh();

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "meniscus/band.h"
 #include "meniscus/bond.h"
 #include "meniscus/triangulate.h"
+#include "meniscus/warning.h"
 
 namespace meniscus {
 
@@ -29,6 +29,6 @@ struct Sheet {
 };
 
 Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<ContactLine>& lines,
-             const std::vector<Body>& bodies, double sweep_length, std::vector<std::string>& warnings);
+             const std::vector<Body>& bodies, double sweep_length, Warnings& warnings);
 
 }  // namespace meniscus

@@ -42,7 +42,7 @@ void grade(std::vector<Size>& sizes, double length, bool closed) {
 }  // namespace
 
 std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
-                                         const Patch& patch, double sweep_length, std::vector<std::string>& warnings) {
+                                         const Patch& patch, double sweep_length, Warnings& warnings) {
   const Field field(lines);
   std::vector<Resolution> result;
   double triangles = 0, whole = 0;  // length, metres
@@ -96,7 +96,9 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
   message << " of " << std::setprecision(3) << whole << " m " << (lines.size() > 1 ? "are" : "is")
           << " too long for the usual resolution: the menisci are " << coarseness
           << " times as coarse, to stay below two million triangles";
-  warnings.push_back(message.str());
+  std::vector<std::size_t> solids;
+  for (const ContactLine& line : lines) solids.push_back(line.solid);
+  warnings.push_back({message.str(), std::move(solids)});
   return result;
 }
 

@@ -1,11 +1,11 @@
 // How far apart the columns of the band may stand along each contact line.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "meniscus/bond.h"
 #include "meniscus/patch.h"
+#include "meniscus/warning.h"
 
 namespace meniscus {
 
@@ -15,6 +15,6 @@ namespace meniscus {
 // line allows. Nothing changes along a straight wall, so nothing is lost there. Contours that would still give more
 // than two million triangles together get a coarseness and a warning.
 std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
-                                         const Patch& patch, double sweep_length, std::vector<std::string>& warnings);
+                                         const Patch& patch, double sweep_length, Warnings& warnings);
 
 }  // namespace meniscus

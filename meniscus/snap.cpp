@@ -10,7 +10,7 @@
 namespace meniscus {
 
 void snap_border(Topology& liquid, const std::vector<std::uint32_t>& surface, const std::string& name,
-                 const std::vector<Body>& bodies, double tolerance, std::vector<std::string>& warnings) {
+                 const std::vector<Body>& bodies, double tolerance, Warnings& warnings) {
   const EdgeMap<int> uses = count_edges(liquid, surface, [](std::uint32_t) { return 1; });
   std::map<std::uint32_t, std::vector<glm::dvec2>> outward;  // per point of the border: its edges' normals
   for (const std::uint32_t t : surface) {
@@ -22,14 +22,15 @@ void snap_border(Topology& liquid, const std::vector<std::uint32_t>& surface, co
       for (const std::uint32_t p : {a, b}) outward[p].push_back({way.y, -way.x});
     }
   }
-  std::map<std::string, std::size_t> moved;
+  std::map<std::size_t, std::size_t> moved;  // points, by solid
   for (const auto& [p, normals] : outward) {
     if (normals.size() != 2) continue;
     const glm::dvec3 at = liquid.points[p];
     // As far from both edges; at sharp points no farther than four times as far.
     const glm::dvec2 miter = (normals[0] + normals[1]) / std::max(1 + glm::dot(normals[0], normals[1]), 0.25);
     const glm::dvec3 out = lifted(miter, 0);
-    for (const Body& body : bodies) {
+    for (std::size_t s = 0; s < bodies.size(); ++s) {
+      const Body& body = bodies[s];
       Box near;
       near.add(at);
       bool wall = false;
@@ -42,16 +43,16 @@ void snap_border(Topology& liquid, const std::vector<std::uint32_t>& surface, co
       });
       if (!wall) continue;
       liquid.points[p] = at + 2 * tolerance * out;
-      ++moved[body.name];
+      ++moved[s];
       break;
     }
   }
-  for (const auto& [body, count] : moved) {
+  for (const auto& [solid, count] : moved) {
     std::ostringstream message;
     message << "liquid '" << name << "': " << count << " points of its border lie within " << tolerance
-            << " m of solid '" << body << "': moved " << 2 * tolerance
+            << " m of solid '" << bodies[solid].name << "': moved " << 2 * tolerance
             << " m outward, so that it reaches into the wall";
-    warnings.push_back(message.str());
+    warnings.push_back({message.str(), {solid}});
   }
 }
 

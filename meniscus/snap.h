@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "meniscus/body.h"
+#include "meniscus/warning.h"
 
 namespace meniscus {
 
@@ -12,6 +13,6 @@ namespace meniscus {
 // twice as much, in the plane: coincident faces would part the liquid by chance. Warns, with the tolerance, where
 // points were moved.
 void snap_border(Topology& liquid, const std::vector<std::uint32_t>& surface, const std::string& name,
-                 const std::vector<Body>& bodies, double tolerance, std::vector<std::string>& warnings);
+                 const std::vector<Body>& bodies, double tolerance, Warnings& warnings);
 
 }  // namespace meniscus

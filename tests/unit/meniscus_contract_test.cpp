@@ -102,4 +102,19 @@ TEST(Build, ContactsKnowTheirTrianglesAndWhatConcernsThem) {
   }
 }
 
+// Names within names, quotes and equal names do not lead a warning to another solid's contact.
+TEST(Build, WarningsGoByTheSolidNotByItsName) {
+  const auto at = [](double x, double top) {
+    return translated(post(1 * kMm, -10 * kMm, top * kMm, 64), {x * kMm, 0, 0});
+  };
+  const Surface surface =
+      build(water(sheet(40 * kMm, 4)), {solid(at(-20, 10), 30, "post"), solid(at(0, 0.5), 30, "a solid 'post'"),
+                                        solid(at(20, 10), 30, "a solid 'post'")});
+  ASSERT_EQ(surface.contacts.size(), 3u);
+  ASSERT_EQ(surface.warnings.size(), 1u);
+  EXPECT_TRUE(surface.contacts[0].warnings.empty());
+  EXPECT_EQ(surface.contacts[1].warnings, surface.warnings);
+  EXPECT_TRUE(surface.contacts[2].warnings.empty());
+}
+
 }  // namespace

@@ -157,7 +157,7 @@ TEST(Sizing, EndlessContoursAreCoarsenedWithAWarning) {
     const meniscus::Patch patch(level, surface, lines, 1.05 * kSweep);
     std::vector<meniscus::Body> bodies;
     bodies.push_back({"pool", {}, meniscus::Tree({}), 0.5});
-    std::vector<std::string> warnings;
+    meniscus::Warnings warnings;
     const auto resolution = find_resolutions(lines, bodies, patch, kSweep, warnings);
     ASSERT_EQ(resolution.size(), 1u);
     const meniscus::ContactLine line = refine(contour, 0, kSweep, resolution[0]);
@@ -169,7 +169,7 @@ TEST(Sizing, EndlessContoursAreCoarsenedWithAWarning) {
       continue;
     }
     ASSERT_EQ(warnings.size(), 1u) << half;
-    EXPECT_NE(warnings[0].find("'pool'"), std::string::npos);
+    EXPECT_NE(warnings[0].text.find("'pool'"), std::string::npos);
     EXPECT_GT(resolution[0].coarseness, 1);
     EXPECT_LT(triangles, 1.6e6);
     EXPECT_GT(triangles, 1.0e6);
