@@ -13,7 +13,9 @@ Exported export_with_menisci(const std::string& path, MeniscusModel model) {
   result.liquids = raise_menisci(scene, model, result.warnings);
   if (result.liquids.empty())
     result.warnings.push_back(path + ": has no liquid (material extra meniscus_liquid): written as it is");
-  replace_liquids(result.document, source, scene, result.liquids, messages);
+  Messages of_export(path);
+  replace_liquids(result.document, source, scene, result.liquids, of_export);
+  result.warnings.insert(result.warnings.end(), of_export.warnings().begin(), of_export.warnings().end());
   compact(result.document);
   result.document.json["asset"]["generator"] = "Meniscal " MENISCAL_VERSION;
   return result;

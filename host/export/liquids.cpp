@@ -31,12 +31,15 @@ dvec3 own_origin(const TriangleMesh& mesh) {
 // The materials of one liquid, made at first need.
 class Materials {
  public:
-  Materials(Document& document, const Scene& scene) : document_(document), scene_(scene) {}
+  Materials(Document& document, const Scene& scene, Messages& messages)
+      : document_(document), scene_(scene), messages_(messages) {}
 
   std::size_t level(int material, double thickness) {
     if (!meniscus_of_.contains(material)) {
+      const Material& meaning = scene_.materials[static_cast<std::size_t>(material)];
       OrderedJson& own = document_.json["materials"][static_cast<std::size_t>(material)];
-      own = spell_out_liquid(own, scene_.materials[static_cast<std::size_t>(material)], thickness, document_);
+      own = spell_out_liquid(own, meaning, thickness, document_, messages_);
+      forget_contact_angles(document_, meaning.name);
       meniscus_of_[material] = 0;
     }
     return static_cast<std::size_t>(material);
@@ -58,6 +61,7 @@ class Materials {
  private:
   Document& document_;
   const Scene& scene_;
+  Messages& messages_;
   std::map<int, std::size_t> meniscus_of_;  // 0: not made yet
 };
 
@@ -98,10 +102,17 @@ glm::dmat4 place_of(const std::vector<PlacedNode>& nodes, int node) {
   return std::find_if(nodes.begin(), nodes.end(), [&](const PlacedNode& n) { return n.node == node; })->to_world;
 }
 
+// Is its inverse none, or made of rounding? By the volume that a cube keeps, against its edges'.
+bool flattens(const glm::dmat4& m) {
+  constexpr double kRounding = 1e-12;
+  const dvec3 x(m[0]), y(m[1]), z(m[2]);
+  return !(std::abs(glm::dot(x, glm::cross(y, z))) > kRounding * glm::length(x) * glm::length(y) * glm::length(z));
+}
+
 }  // namespace
 
 void replace_liquids(Document& document, const Source& source, const Scene& scene,
-                     const std::vector<LiquidSurface>& liquids, const Messages& messages) {
+                     const std::vector<LiquidSurface>& liquids, Messages& messages) {
   const std::vector<PlacedNode> placed = place_nodes(source.model, messages);
   std::map<int, std::vector<int>> removed;  // primitives, by node
   for (const LiquidSurface& liquid : liquids)
@@ -111,14 +122,15 @@ void replace_liquids(Document& document, const Source& source, const Scene& scen
   for (const auto& [node, primitives] : removed)
     free[node] = !remove_primitives(document, nodes[static_cast<std::size_t>(node)], primitives);
 
-  Materials materials(document, scene);
+  Materials materials(document, scene, messages);
   for (const LiquidSurface& liquid : liquids) {
     const Object& object = scene.objects[liquid.object];
     if (liquid.surface.mesh.triangles.empty()) continue;  // it lay within solids
-    const glm::dmat4 to_node = glm::inverse(relative_to(place_of(placed, object.node), scene.origin));
-    if (!std::isfinite(to_node[0][0] + to_node[1][1] + to_node[2][2]))
-      messages.fail("object \"" + object.name + "\"", "is scaled to nothing", "apply its scale before the export");
-    TriangleMesh mesh = transformed(liquid.surface.mesh, to_node);
+    const glm::dmat4 to_scene = relative_to(place_of(placed, object.node), scene.origin);
+    if (flattens(to_scene))
+      messages.fail("object \"" + object.name + "\"", "a scale of 0 flattens its node, which cannot hold menisci then",
+                    "give the node and those above it scales other than 0, or apply them to the mesh");
+    TriangleMesh mesh = transformed(liquid.surface.mesh, glm::inverse(to_scene));
     const dvec3 origin = own_origin(mesh);
     for (dvec3& p : mesh.positions) p -= origin;
     const Box box = box_of(mesh);

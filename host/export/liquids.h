@@ -11,8 +11,9 @@ namespace meniscal::gltf {
 
 // Each liquid becomes a mesh of its own where it was in the hierarchy, of two primitives: the liquid, and its menisci
 // with a material that makes them targets of this renderer's photons. Positions are relative to a node near them, so
-// that float holds them wherever the scene is. Throws Error(ExitCode::scene) where a node is scaled to nothing.
+// that float holds them wherever the scene is. Solids forget their contact angles with these liquids by name. Throws
+// Error(ExitCode::scene) where a node has a scale of 0.
 void replace_liquids(Document& document, const Source& source, const Scene& scene,
-                     const std::vector<LiquidSurface>& liquids, const Messages& messages);
+                     const std::vector<LiquidSurface>& liquids, Messages& messages);
 
 }  // namespace meniscal::gltf

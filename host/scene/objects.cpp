@@ -87,7 +87,11 @@ std::vector<Object> place_objects(const tinygltf::Model& model, const std::vecto
       object.mesh = transformed(mesh.parts[i], to_local);
       object.has_file_normals = !object.mesh.normals.empty();
       drop_flat(object.mesh);  // a scale of 0 flattens
-      if (object.mesh.triangles.empty()) continue;
+      if (object.mesh.triangles.empty()) {
+        if (!mesh.parts[i].triangles.empty())
+          messages.warn(fmt::format("object \"{}\"", name), "left out: its node's scale leaves no triangle an area");
+        continue;
+      }
       complete_normals(object.mesh);
       if (static_cast<std::size_t>(object.material) == default_material && materials.size() == default_material)
         materials.emplace_back().name = "default";

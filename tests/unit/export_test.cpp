@@ -135,7 +135,14 @@ TEST_F(Export, SpellsOutWhatALiquidsNameMeans) {
   json["textures"] = {{{"source", 0}}};
   json["images"] = {{{"uri", "label.png"}}};
   write(folder / "label.png", "\x89PNG\r\n\x1a\nno more is looked at");
-  const gltf::Document document = exported(write(folder / "scene.gltf", json.dump())).document;
+  const gltf::Exported all = exported(write(folder / "scene.gltf", json.dump()));
+  const gltf::Document& document = all.document;
+  EXPECT_EQ(std::count_if(all.warnings.begin(), all.warnings.end(),
+                          [](const std::string& w) {
+                            return w.find("material \"dram\": left without its textures (baseColorTexture)") !=
+                                   std::string::npos;
+                          }),
+            1);
   const OrderedJson& level = document.json["materials"][1];
   EXPECT_EQ(level["extensions"]["KHR_materials_ior"]["ior"], 1.3611);
   EXPECT_EQ(level["extensions"]["KHR_materials_transmission"]["transmissionFactor"], 1);
@@ -147,6 +154,48 @@ TEST_F(Export, SpellsOutWhatALiquidsNameMeans) {
   const OrderedJson& view = document.json["bufferViews"][image["bufferView"].get<std::size_t>()];
   EXPECT_EQ(document.bytes.substr(view["byteOffset"], view["byteLength"]), "\x89PNG\r\n\x1a\nno more is looked at");
   EXPECT_EQ(image["mimeType"], "image/png");
+}
+
+// The liquid that a contact angle names is no liquid any more.
+TEST_F(Export, IsReadAgainWithoutWarnings) {
+  OrderedJson json = json_of(shipped("post"));
+  json["materials"][2]["extras"] = {{"meniscus_contact_angle_water", 70}, {"meniscus_contact_angle", 40}};
+  const std::string path = write(folder / "scene.gltf", json.dump());
+  EXPECT_TRUE(load_gltf(path).warnings.empty());
+  const gltf::Document document = exported(path).document;
+  EXPECT_EQ(document.json["materials"][2]["extras"].dump(), R"({"meniscus_contact_angle":40})");
+  const Scene again = load(gltf::as_glb(document), "again.glb");
+  EXPECT_TRUE(again.warnings.empty()) << again.warnings.front();
+  expect_same_surfaces(load_gltf(path), again);
+}
+
+// In a node that a scale of 0 flattens no meniscus can stand; turned by others, its inverse is finite rounding.
+TEST_F(Export, RefusesALiquidInAFlattenedNode) {
+  OrderedJson json = json_of(shipped("post"));
+  json["nodes"].push_back(
+      {{"name", "flat"}, {"rotation", {0.1, 0, 0, std::sqrt(0.99)}}, {"scale", {1, 0, 1}}, {"children", {1}}});
+  json["nodes"].push_back({{"name", "turned"}, {"rotation", {0, 0, 0.3, std::sqrt(0.91)}}, {"children", {5}}});
+  json["nodes"][1]["rotation"] = {0.2, 0, 0, std::sqrt(0.96)};
+  json["scenes"][0]["nodes"] = {0, 6, 2, 3, 4};
+  const std::string path = write(folder / "scene.gltf", json.dump());
+  try {
+    exported(path);
+    ADD_FAILURE() << "exported";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code, ExitCode::scene);
+    for (const char* part : {"object \"water\"", "a scale of 0", "give the node"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(Export, LeavesOutASolidScaledToNothing) {
+  OrderedJson json = json_of(shipped("post"));
+  json["nodes"][4]["scale"] = {0, 0, 0};
+  const std::string path = write(folder / "scene.gltf", json.dump());
+  EXPECT_EQ(count_warnings(load_gltf(path), {"object \"post\"", "no triangle an area"}), 1u);
+  const gltf::Exported result = exported(path);
+  ASSERT_EQ(result.liquids.size(), 1u);
+  EXPECT_TRUE(result.liquids[0].surface.contacts.empty());
 }
 
 TEST_F(Export, MercuryStaysAMirror) {
