@@ -127,6 +127,20 @@ Shift choose_shift(const std::vector<Body>& bodies, std::size_t s, const Box& su
   return {bottom ? -1 : 1};
 }
 
+// Does a closed contour part anything, seen from above? Not where the solid touches the liquid in a point or an edge,
+// or is a sheet with two sides in one place.
+bool encloses(const Contour& contour) {
+  constexpr double kThin = 1e-9;  // of a square as far round
+  const glm::dvec2 first = planar(contour.points.front().position);
+  double around = 0, area = 0;
+  for (std::size_t i = 0; i < contour.points.size(); ++i) {
+    const glm::dvec2 a = planar(contour.points[i].position) - first;
+    const glm::dvec2 b = planar(contour.points[(i + 1) % contour.points.size()].position) - first;
+    around += glm::distance(a, b), area += 0.5 * cross(a, b);
+  }
+  return std::abs(area) > kThin * around * around / 16;
+}
+
 // Does this edge bound the free surface: is it of one of its triangles only?
 bool is_border(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Tree& tree, const Edge& e) {
   Box box;
@@ -181,7 +195,7 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
   }
   std::vector<bool> used(segments.size(), false);
   std::vector<Contour> result;
-  std::size_t open = 0;
+  std::size_t open = 0, thin = 0;
   const auto follow = [&](std::uint32_t first) {
     Contour contour{false, {}};
     std::optional<glm::dvec3> before;
@@ -212,10 +226,13 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
     for (ContourPoint& p : contour.points) {
       if (p.border && !is_border(liquid, surface, surface_tree, *p.border)) p.border.reset();
     }
-    if (contour.closed || (contour.points.front().border && contour.points.back().border)) {
-      result.push_back(std::move(contour));
-    } else {
+    const bool whole = contour.closed || (contour.points.front().border && contour.points.back().border);
+    if (!whole) {
       ++open;
+    } else if (contour.closed && !encloses(contour)) {
+      ++thin;
+    } else {
+      result.push_back(std::move(contour));
     }
   };
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
@@ -229,6 +246,13 @@ std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std
                             (open == 1 ? " contour that ends within the liquid encloses nothing and gets no meniscus"
                                        : " contours that end within the liquid enclose nothing and get no meniscus") +
                             "; close the solid or give it thickness",
+                        {s}});
+  }
+  if (thin > 0) {
+    warnings.push_back({"solid '" + bodies[s].name +
+                            "' has no thickness where it meets the liquid, or only touches it: " +
+                            std::to_string(thin) + (thin == 1 ? " contour encloses" : " contours enclose") +
+                            " nothing and " + (thin == 1 ? "gets" : "get") + " no meniscus; give it thickness there",
                         {s}});
   }
   return result;

@@ -28,7 +28,7 @@ std::vector<std::uint32_t> free_surface(const Topology& liquid);
 
 // All contours of bodies[solid] in the liquid's free surface, found with exact predicates: every pair of
 // triangles gives one segment or none, its end points are known by the pair (edge, triangle) that makes them, ties are
-// shifted away. Contours that end within the liquid are left out with a warning, since they part nothing.
+// shifted away. Contours that end within the liquid or enclose nothing are left out with a warning.
 std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std::uint32_t>& surface,
                                    const Tree& surface_tree, const std::vector<Body>& bodies, std::size_t solid,
                                    Warnings& warnings);

@@ -127,6 +127,7 @@ Contact describe(const ContactLine& line, const Body& body) {
   for (std::size_t i = 0; i < line.segments(); ++i) {
     contact.length += glm::distance(line.nodes[i].position, line.next(i).position);
   }
+  if (line.sweep == 0) return contact;  // lowered to the level, its nodes may still say from where
   contact.rise_min = contact.rise_max = line.nodes.front().contact.rise;
   for (const Node& node : line.nodes) {
     contact.rise_min = std::min(contact.rise_min, node.contact.rise);
@@ -157,6 +158,13 @@ void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
       }
     }
   }
+}
+
+bool faces_up(const TriangleMesh& mesh) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
+    const auto& p = mesh.positions;
+    return glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]).y > 0;
+  });
 }
 
 // Says what is not as it must be; a picture is still possible.
@@ -241,7 +249,8 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, warnings);
   if (sheet.overlaps) {
     warnings.push_back({"liquid '" + liquid.name + "' lies over itself, seen from above, near solid '" +
-                        bodies[lines.front().solid].name + (lines.size() > 1 ? "' or another" : "'") +
+                        bodies[lines.front().solid].name +
+                        (lines.back().solid > lines.front().solid ? "' or another" : "'") +
                         ": it is left as it is, without menisci"});
     for (Warning& w : warnings) result.warnings.push_back(std::move(w.text));
     result.mesh = liquid_as_it_is(level);
@@ -251,6 +260,11 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   const Raised raised = raise(level, surface, patch, sheet, lines, bodies, liquid, warnings);
   Stitched stitched = stitch(level, surface, patch, sheet, raised, bodies);
   if (!lines.empty()) check(liquid, stitched, lines, bodies, warnings);
+  if (!faces_up(stitched.mesh))
+    warnings.push_back(
+        {"liquid '" + liquid.name +
+         "' lies wholly within solids: nothing of its surface is left; a solid that holds a liquid needs an "
+         "inner wall"});
 
   for (const ContactLine& line : lines) result.contacts.push_back(describe(line, bodies[line.solid]));
   result.mesh = std::move(stitched.mesh);

@@ -112,8 +112,17 @@ TEST(Build, ContainerKeepsTheLiquidWithinIt) {
     const double d = std::max(8 * kMm - std::hypot(p.x, p.z), 0.0) / kSweep;
     EXPECT_NEAR(p.y, d < 1 ? kSweep * 60 / 180 * (1 - std::sin(glm::half_pi<double>() * d)) : 0, 0.01 * kMm);
   }
-  EXPECT_TRUE(build(water(sheet(1 * kMm, 2)), {solid(post(8 * kMm, -5 * kMm, 5 * kMm, 32), 30)}).mesh.triangles.empty())
-      << "a liquid wholly inside a solid is gone";
+}
+
+TEST(Build, LiquidWithinASolidIsGoneWithAWarning) {
+  const meniscus::Solid full = solid(post(8 * kMm, -5 * kMm, 5 * kMm, 32), 30);
+  for (const TriangleMesh& mesh : {sheet(1 * kMm, 2), box({-kMm, -kMm, -kMm}, {kMm, 0, kMm})}) {
+    const Surface surface = build(water(mesh), {full});
+    ASSERT_EQ(surface.warnings.size(), 1u);
+    EXPECT_NE(surface.warnings[0].find("liquid 'water' lies wholly within solids"), std::string::npos);
+    EXPECT_EQ(plan_area(surface, true), 0);
+  }
+  EXPECT_TRUE(build(water(sheet(1 * kMm, 2)), {full}).mesh.triangles.empty());
 }
 
 TEST(Build, RingLyingInTheSurfaceHasTwoContours) {
@@ -122,6 +131,43 @@ TEST(Build, RingLyingInTheSurfaceHasTwoContours) {
   EXPECT_EQ(surface.contacts.size(), 2u);
   EXPECT_EQ(report.components, 2u);
   EXPECT_EQ(report.boundary_loops, 3u);
+}
+
+// What the liquid parts from nothing is no contact: a point, an edge, a sheet with two sides in one place.
+TEST(Build, TouchingSolidsGetNoMeniscus) {
+  TriangleMesh plate = tall_post(64);
+  for (dvec3& p : plate.positions) p.x = 0;
+  const dvec3 up(0, 1, 0);
+  const std::pair<const char*, TriangleMesh> cases[] = {
+      {"point below", translated(sphere(4 * kMm, 64, 32), -4 * kMm * up)},
+      {"edge below",
+       translated(turned(box({-kMm, -kMm, -kMm}, {kMm, kMm, kMm}), 45, {1, 0, 0}), -std::sqrt(2.0) * kMm * up)},
+      {"plate", plate}};
+  for (const auto& [name, mesh] : cases) {
+    SCOPED_TRACE(name);
+    const Surface surface = build(water(sheet(30 * kMm, 2)), {solid(mesh, 30, "it")});
+    EXPECT_TRUE(surface.contacts.empty());
+    EXPECT_EQ(surface.mesh.triangles.size(), 8u);
+    ASSERT_EQ(surface.warnings.size(), 1u);
+    EXPECT_NE(surface.warnings[0].find("'it' has no thickness where it meets the liquid"), std::string::npos);
+  }
+  // From above there is no contour at all.
+  const Surface surface =
+      build(water(sheet(30 * kMm, 2)), {solid(translated(sphere(4 * kMm, 64, 32), 4 * kMm * up), 30)});
+  EXPECT_TRUE(surface.contacts.empty());
+  EXPECT_TRUE(surface.warnings.empty());
+}
+
+// A sphere dipping in by a micrometre wets only beneath: at its height the meniscus would cut into the sphere, so it is
+// lowered to the level, and says so.
+TEST(Build, ContactsSayHowFarTheyRiseInFact) {
+  const TriangleMesh dipping = translated(sphere(4 * kMm, 64, 32), {0, 3.999 * kMm, 0});
+  const Surface surface = build(water(sheet(30 * kMm, 2)), {solid(dipping, 30)});
+  double highest = 0;
+  for (const dvec3& p : surface.mesh.positions) highest = std::max(highest, p.y);
+  ASSERT_EQ(surface.contacts.size(), 1u);
+  EXPECT_EQ(surface.contacts[0].warnings.size(), 1u);
+  EXPECT_NEAR(surface.contacts[0].rise_max, highest, 1e-6 * kWater);
 }
 
 }  // namespace
