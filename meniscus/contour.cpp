@@ -156,16 +156,6 @@ bool is_border(const Topology& liquid, const std::vector<std::uint32_t>& surface
 
 }  // namespace
 
-std::vector<std::uint32_t> free_surface(const Topology& liquid) {
-  constexpr double kUp = 1e-3;  // cosine: walls of a box of liquid stay walls in spite of rounding
-  std::vector<std::uint32_t> result;
-  for (std::size_t t = 0; t < liquid.triangles.size(); ++t) {
-    const glm::dvec3 n = liquid.area_normal(t);
-    if (n.y > kUp * glm::length(n)) result.push_back(static_cast<std::uint32_t>(t));
-  }
-  return result;
-}
-
 std::vector<Contour> find_contours(const Topology& liquid, const std::vector<std::uint32_t>& surface,
                                    const Tree& surface_tree, const std::vector<Body>& bodies, std::size_t s,
                                    Warnings& warnings) {

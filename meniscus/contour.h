@@ -23,9 +23,6 @@ struct Contour {
   std::vector<ContourPoint> points;
 };
 
-// The free surface of a liquid: those of its triangles that face up, as indices into Topology::triangles.
-std::vector<std::uint32_t> free_surface(const Topology& liquid);
-
 // All contours of bodies[solid] in the liquid's free surface, found with exact predicates: every pair of
 // triangles gives one segment or none, its end points are known by the pair (edge, triangle) that makes them, ties are
 // shifted away. Contours that end within the liquid or enclose nothing are left out with a warning.

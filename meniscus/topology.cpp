@@ -136,6 +136,16 @@ bool orient_outward(Topology& solid) {
   return turn;
 }
 
+std::vector<std::uint32_t> free_surface(const Topology& liquid) {
+  constexpr double kUp = 1e-3;  // cosine: walls of a box of liquid stay walls in spite of rounding
+  std::vector<std::uint32_t> result;
+  for (std::size_t t = 0; t < liquid.triangles.size(); ++t) {
+    const glm::dvec3 n = liquid.area_normal(t);
+    if (n.y > kUp * glm::length(n)) result.push_back(static_cast<std::uint32_t>(t));
+  }
+  return result;
+}
+
 double winding_number(const Topology& solid, const glm::dvec3& p) {
   double angle = 0;
   for (std::size_t t = 0; t < solid.triangles.size(); ++t) {

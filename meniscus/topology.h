@@ -54,6 +54,9 @@ std::size_t orient_alike(Topology& solid);
 // Returns whether it had to be turned.
 bool orient_outward(Topology& solid);
 
+// The free surface of a liquid: those of its triangles that face up, as indices into Topology::triangles.
+std::vector<std::uint32_t> free_surface(const Topology& liquid);
+
 // Generalised winding number of the solid about p: 1 inside, 0 outside, in between near holes (Van Oosterom, Strackee
 // 1983).
 double winding_number(const Topology& solid, const glm::dvec3& p);
