@@ -107,6 +107,16 @@ void check(const Liquid& liquid, const Stitched& result, const std::vector<Conta
   }
 }
 
+// A little of what matters to the meniscus, but less of what is modelled: at low gravity the capillary length knows no
+// bounds.
+double snap_tolerance(const Liquid& liquid, const Topology& level, const std::vector<std::uint32_t>& surface) {
+  constexpr double kOfLength = 0.02, kOfSize = 0.005;  // capillary lengths, parts of the surface's smaller extent
+  Box box;
+  for (const std::uint32_t t : surface) box.add(level.box(t));
+  return std::min(kOfLength * liquid.capillary_length,
+                  kOfSize * std::min(box.high.x - box.low.x, box.high.z - box.low.z));
+}
+
 }  // namespace
 
 Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
@@ -115,8 +125,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   std::vector<std::uint32_t> surface;
   Topology level = weld_liquid(liquid, surface, warnings);
   const std::vector<Body> bodies = weld_solids(solids, warnings);
-  constexpr double kSnap = 0.02;  // capillary lengths
-  snap_border(level, surface, liquid.name, bodies, kSnap * liquid.capillary_length, warnings);
+  snap_border(level, surface, liquid.name, bodies, snap_tolerance(liquid, level, surface), warnings);
   const double reach = sweep_length(liquid);
 
   std::vector<Box> boxes;

@@ -114,6 +114,28 @@ TEST(Build, ContainerKeepsTheLiquidWithinIt) {
   }
 }
 
+// What counts as short of a wall is less of a small vessel, whose wall may be thin, and of one in low gravity.
+TEST(Build, BordersAreMovedByLittleOfTheLiquidsSize) {
+  TriangleMesh disc;
+  for (int i = 0; i < 96; ++i) {
+    const auto at = [](int k) {
+      const double a = k % 96 == 0 ? 0 : 2 * glm::pi<double>() * k / 96;
+      return 0.25 * kMm * dvec3(std::sin(a), 0, std::cos(a));
+    };
+    add_triangle(disc, dvec3(0), at(i), at(i + 1), {0, 1, 0});
+  }
+  const TriangleMesh tube = cup(0.25 * kMm, 0.28 * kMm, -10 * kMm, 10 * kMm);
+  const Surface surface = build(water(disc), {solid(tube, 60, "tube")});
+  ASSERT_EQ(surface.contacts.size(), 1u);
+  EXPECT_NEAR(surface.contacts[0].length, 2 * glm::pi<double>() * 0.25 * kMm, 0.01 * kMm);
+  for (const dvec3& p : surface.mesh.positions) EXPECT_LT(std::hypot(p.x, p.z), 0.2501 * kMm);
+
+  meniscus::Liquid floating = water(sheet(30 * kMm, 1));
+  floating.capillary_length = 1e3;
+  for (const dvec3& p : build(floating, {solid(tall_post(64), 30)}).mesh.positions)
+    EXPECT_LT(std::max(std::abs(p.x), std::abs(p.z)), 31 * kMm);
+}
+
 TEST(Build, LiquidWithinASolidIsGoneWithAWarning) {
   const meniscus::Solid full = solid(post(8 * kMm, -5 * kMm, 5 * kMm, 32), 30);
   for (const TriangleMesh& mesh : {sheet(1 * kMm, 2), box({-kMm, -kMm, -kMm}, {kMm, 0, kMm})}) {
