@@ -7,6 +7,7 @@
 
 #include "host/cli/commands.h"
 #include "host/cli/render_options.h"
+#include "host/cli/validators.h"
 #include "host/export/container.h"
 #include "host/export/export.h"
 #include "host/image/atomic_file.h"
@@ -26,8 +27,11 @@ std::string summary(const std::string& file, const std::vector<LiquidSurface>& l
     menisci += static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1));
     contacts += surface.contacts.size();
   }
-  return fmt::format("{}: {} liquids of {} triangles, {} of them in {} menisci\n", file, liquids.size(), triangles,
-                     menisci, contacts);
+  const auto counted = [](std::size_t count, const char* one, const char* more) {
+    return fmt::format("{} {}", count, count == 1 ? one : more);
+  };
+  return fmt::format("{}: {} of {} triangles, {} of them in {}\n", file, counted(liquids.size(), "liquid", "liquids"),
+                     triangles, menisci, counted(contacts, "meniscus", "menisci"));
 }
 
 void run(const MeshOptions& options) {
@@ -53,6 +57,10 @@ void add_mesh(CLI::App& app) {
         return known ? std::string() : name + " ends neither in .glb nor in .gltf";
       });
   add_meniscus_option(*command, options->meniscus);
+  command->parse_complete_callback([options] {
+    if (is_same_file(options->scene, options->output))
+      throw CLI::ValidationError("--output", options->output + " is the scene itself: its liquids would be lost");
+  });
   command->footer("Example: meniscal mesh scene.gltf -o scene.glb");
   command->callback([options] { run(*options); });
 }

@@ -202,11 +202,22 @@ void add_output_options(CLI::App& command, RenderOptions& options) {
       ->excludes("--quiet");
 }
 
+// No output may take the place of another or of the scene.
+void require_own_names(const RenderOptions& options) {
+  std::vector<std::pair<std::string, std::string>> names = {{"SCENE", options.scene}, {"--output", options.output}};
+  if (options.preview) names.emplace_back("--preview", *options.preview);
+  if (options.stats) names.emplace_back("--stats", *options.stats);
+  for (std::size_t j = 1; j < names.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (is_same_file(names[i].second, names[j].second))
+        throw CLI::ValidationError(names[j].first,
+                                   fmt::format("{} is the file of {}, too", names[j].second, names[i].first));
+}
+
 // What only the options together can tell.
 void finish(RenderOptions& options) {
   if (options.output.empty()) options.output = std::filesystem::path(options.scene).stem().string() + ".exr";
-  if (options.preview == options.output || options.stats == options.output)
-    throw CLI::ValidationError("--output", fmt::format("{} is the name of another output, too", options.output));
+  require_own_names(options);
   const PassRange range = options.passes_to_run();
   if (range.last <= range.first)
     throw CLI::ValidationError(

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 namespace meniscal {
 namespace {
@@ -30,6 +31,13 @@ CLI::Validator number_that(const std::string& description, Accept accept) {
 
 bool parse_number(const std::string& text, double& number) { return parse_all(text, number); }
 bool parse_integer(const std::string& text, int& number) { return parse_all(text, number); }
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code error;  // a name that leads nowhere fails when it is opened
+  const auto place = [&](const std::string& name) { return fs::weakly_canonical(fs::absolute(name, error), error); };
+  return a == b || (place(a) == place(b) && !error);
+}
 
 CLI::Validator positive() {
   return number_that("a number above 0", [](double x) { return x > 0; });

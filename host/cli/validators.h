@@ -20,4 +20,7 @@ bool parse_number(const std::string& text, double& number);
 // The same for a whole number that an int holds.
 bool parse_integer(const std::string& text, int& number);
 
+// Do both names lead to one place, whether a file is there or not?
+bool is_same_file(const std::string& a, const std::string& b);
+
 }  // namespace meniscal

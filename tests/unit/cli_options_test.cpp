@@ -96,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "--map-scale targeted=nan", "--map-scale targeted=-1", "--map-scale targeted=1,",
                       "--tonemap filmic", "--meniscus flat", "--exposure nan", "--exposure bright",
                       "--aov depth,colour", "--diffuse-bounces -1", "--quiet --json-progress", "--integrator path",
-                      "--quality best", "--time 3"));
+                      "--quality best", "--time 3", "--output a", "--output ./b/../a", "--preview a",
+                      "--preview p.png --output ./p.png", "--stats p --preview p"));
 
 TEST(RenderOptions, SceneIsNeeded) { EXPECT_THROW(parse("--passes 3"), CLI::RequiredError); }
 

@@ -58,6 +58,7 @@ TEST(Program, WrongUsageIsTwoAndNamesWhatIsWrong) {
                                                        {"render a.gltf --resolution 3", "--resolution"},
                                                        {"render a.gltf --unknown", "--unknown"},
                                                        {"mesh a.gltf", "--output"},
+                                                       {"mesh a.gltf -o ./a.gltf", "the scene itself"},
                                                        {"mesh a.gltf -o a.obj", "a.obj"},
                                                        {"mesh a.gltf -o a.glb --meniscus round", "--meniscus"},
                                                        {"compare a.exr", "B"},
@@ -94,7 +95,7 @@ TEST(Program, WritesASceneWithItsMenisciWholeOrNotAtAll) {
   EXPECT_EQ(meniscal(folder, mesh + folder / "missing/a.glb" + "\"").code, 1);
   const Outcome o = meniscal(folder, mesh + folder / "a.glb" + "\"");
   EXPECT_EQ(o.code, 0) << o.error;
-  EXPECT_NE(o.output.find("1 menisci"), std::string::npos) << o.output;
+  EXPECT_NE(o.output.find("1 meniscus"), std::string::npos) << o.output;
   const auto targets = [&](const std::string& scene) {
     const std::string text = meniscal(folder, "info \"" + scene + "\"").output;
     const std::size_t line = text.find("targeted map");
