@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
+#include <stdexcept>
 
 #include "meniscus/bond.h"
 #include "meniscus/check.h"
@@ -107,6 +109,22 @@ void check(const Liquid& liquid, const Stitched& result, const std::vector<Conta
   }
 }
 
+// A contour of millions of menisci's widths takes all time and memory, and is one of units or of a slip in the liquid.
+void refuse_endless(const Contour& contour, const std::string& name, double reach) {
+  constexpr double kMost = 1e6;
+  double length = 0;
+  const std::vector<ContourPoint>& points = contour.points;
+  for (std::size_t i = contour.closed ? 0 : 1; i < points.size(); ++i)
+    length += glm::distance(points[(i + points.size() - 1) % points.size()].position, points[i].position);
+  if (length <= kMost * reach) return;
+  std::ostringstream message;
+  message << "solid '" << name << "': its contour of " << length
+          << " m is over a million times as long as its meniscus is "
+          << "wide, " << reach
+          << " m; check the scene's units (metres), the liquid's surface tension and its sweep scale";
+  throw std::invalid_argument(message.str());
+}
+
 // A little of what matters to the meniscus, but less of what is modelled: at low gravity the capillary length knows no
 // bounds.
 double snap_tolerance(const Liquid& liquid, const Topology& level, const std::vector<std::uint32_t>& surface) {
@@ -135,6 +153,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   std::vector<ContactLine> lines;  // evenly fine at first: these show where columns may stand farther apart
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     for (Contour& contour : find_contours(level, surface, tree, bodies, s, warnings)) {
+      refuse_endless(contour, bodies[s].name, reach);
       lines.push_back(refine(contour, s, reach));
       lines.back().profile = liquid.profile;
       contours.push_back(std::move(contour));

@@ -64,7 +64,8 @@ struct Surface {
 
 // Cuts the liquid where the solids pierce it, drops what lies inside them, raises a meniscus round every contour and
 // stitches it to what remains of the liquid. Untouched triangles of the liquid stay bit for bit as they are.
-// Deterministic. Throws std::invalid_argument, naming the object, where the input is not a usable mesh.
+// Deterministic. Throws std::invalid_argument, naming the object, where the input is not a usable mesh, or where the
+// capillary length is out of all proportion to it.
 Surface build(const Liquid& liquid, const std::vector<Solid>& solids);
 
 }  // namespace meniscus

@@ -84,6 +84,10 @@ TEST(Build, UnusableInputIsRefusedByName) {
   meniscus::Liquid liquid = water(sheet(1, 1));
   liquid.capillary_length = 0;
   EXPECT_NE(message(liquid, {}).find("'water'"), std::string::npos);
+  liquid = water(sheet(30 * kMm, 1));
+  liquid.sweep_scale = 1e-9;
+  const std::string endless = message(liquid, {solid(tall_post(16), 30, "rod")});
+  EXPECT_NE(endless.find("solid 'rod': its contour of 0.01248"), std::string::npos) << endless;
 }
 
 TEST(Build, ContactsKnowTheirTrianglesAndWhatConcernsThem) {
