@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "meniscus/crease.h"
 #include "meniscus/predicates.h"
 #include "meniscus/profile.h"
 
@@ -25,6 +26,8 @@ struct Column {
   std::uint32_t rank;
   glm::dvec2 origin;
   Foot foot;
+  double end = std::numeric_limits<double>::infinity();  // distance at which it meets a crease, and the sine of
+  double sine = 1;                                       // the angle between the two
 };
 
 glm::dvec2 rotated(const glm::dvec2& d, double a) {
@@ -171,35 +174,55 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
   const double extent = glm::length(patch.box().high - patch.box().low);
   std::vector<Column> columns;
   std::vector<Candidate> candidates;
+  std::vector<BandPoint> creases;
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const std::vector<double> layers = gradings[l].layers(extent);
-    std::size_t c = columns.size();
+    const std::size_t first = columns.size();
     for (std::size_t i = 0; i < lines[l].nodes.size(); ++i) {
       add_columns(columns, lines[l], l, i);
       if (i < lines[l].segments()) add_columns_between(columns, lines[l], l, i);
     }
-    for (; c < columns.size(); ++c) {
+    CreaseRow row(field, lines, gradings[l], creases);
+    for (std::size_t c = first; c < columns.size(); ++c) {
+      Column& column = columns[c];
+      double own = 0;  // how far it is surely the nearest
       for (const double d : layers) {
-        const glm::dvec2 x = columns[c].origin + d * columns[c].foot.direction;
+        const glm::dvec2 x = column.origin + d * column.foot.direction;
         if (patch.box().distance(glm::dvec3(x, 0)) > 0) break;
         constexpr double kNearer = 1 - 1e-6;
-        if (field.any_foot(x, kNearer * d)) break;  // here the column ends: another foot is nearer from here on
-        candidates.push_back({d, static_cast<std::uint32_t>(l), columns[c].rank, static_cast<std::uint32_t>(c)});
+        if (field.any_foot(x, kNearer * d)) {  // here the column ends: another foot is nearer from here on
+          if (own > kCreaseReach * lines[l].sweep) break;
+          const BandPoint end = end_on_crease(field, lines, column.origin, column.foot, d);
+          column.end = end.foot.distance, column.sine = sine_to_crease(end);
+          row.add(c - first, end);
+          break;
+        }
+        own = d;
+        candidates.push_back({d, static_cast<std::uint32_t>(l), column.rank, static_cast<std::uint32_t>(c)});
       }
     }
+    if (lines[l].closed) row.close(columns.size() - first);
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.distance, a.line, a.rank, a.column) < std::tie(b.distance, b.line, b.rank, b.column);
   });
   std::vector<BandPoint> result;
+  const auto claim = [&](const BandPoint& p, double radius) {
+    if (!patch.at(p.x) || patch.border_within(p.x, 0.5 * gradings[p.foot.line].spacing(p.foot.distance))) return;
+    if (spacing.claim(p.x, radius)) result.push_back(p);
+  };
+  constexpr double kApart = 0.5, kApartBeyond = 0.7;  // of the spacing
+  std::stable_sort(creases.begin(), creases.end(),
+                   [](const BandPoint& a, const BandPoint& b) { return a.foot.distance < b.foot.distance; });
+  for (const BandPoint& p : creases) claim(p, kApart * gradings[p.foot.line].spacing(p.foot.distance));
   for (const Candidate& c : candidates) {
-    Foot foot = columns[c.column].foot;
-    foot.distance = c.distance;
-    const glm::dvec2 x = columns[c.column].origin + c.distance * foot.direction;
+    const Column& column = columns[c.column];
     const double size = gradings[c.line].spacing(c.distance);
+    if (column.sine * (column.end - c.distance) < kApart * size) continue;  // too near to the crease
+    Foot foot = column.foot;
+    foot.distance = c.distance;
     const bool beyond = c.distance > lines[c.line].sweep;
-    if (!patch.at(x) || patch.border_within(x, 0.5 * size)) continue;
-    if (spacing.claim(x, (beyond ? 0.7 : 0.5) * size)) result.push_back({x, foot});
+    claim({column.origin + c.distance * foot.direction, foot, {}}, (beyond ? kApartBeyond : kApart) * size);
   }
   // Line by line: whoever inserts them one after the other finds each near the one before.
   std::stable_sort(result.begin(), result.end(),

@@ -47,11 +47,13 @@ class Spacing {
 struct BandPoint {
   glm::dvec2 x;
   Foot foot;
+  Foot other;  // on a crease: the second foot, as near
 };
 
 // Every line sends its points along its own normals, at convex joints along a fan of directions between the two; a
 // point is kept where it lies on the patch and no other foot is nearer: so neighbours share the liquid and concave
-// parts trim themselves. `spacing` holds what is there already.
+// parts trim themselves. Where they meet they share a row of points on the crease between them. `spacing` holds what is
+// there already.
 std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::vector<Grading>& gradings,
                              const Field& field, const Patch& patch, Spacing& spacing);
 

@@ -41,26 +41,40 @@ struct Members {
 Members find_members(const Raised& raised, const Sheet& sheet, std::size_t lines) {
   Members of{std::vector<std::vector<std::uint32_t>>(lines), std::vector<std::vector<std::uint32_t>>(lines)};
   for (std::uint32_t i = 0; i < sheet.vertices.size(); ++i) {
-    const Foot& foot = sheet.vertices[i].foot;
-    if (raised.used[i] && foot.exists()) of.vertices[foot.line].push_back(i);
+    const Foot &foot = sheet.vertices[i].foot, &other = sheet.vertices[i].other;
+    if (!raised.used[i] || !foot.exists()) continue;
+    of.vertices[foot.line].push_back(i);
+    if (other.exists() && other.line != foot.line) of.vertices[other.line].push_back(i);
   }
   for (std::uint32_t t = 0; t < sheet.triangles.size(); ++t) {
     if (!sheet.raised[t]) continue;
     for (int k = 0; k < 3; ++k) {
-      const Foot& foot = sheet.vertices[sheet.triangles[t][k]].foot;
-      if (!foot.exists()) continue;
-      auto& triangles = of.triangles[foot.line];
-      if (triangles.empty() || triangles.back() != t) triangles.push_back(t);
+      const Sheet::Vertex& vertex = sheet.vertices[sheet.triangles[t][k]];
+      for (const Foot* foot : {&vertex.foot, &vertex.other}) {
+        if (!foot->exists()) continue;
+        auto& triangles = of.triangles[foot->line];
+        if (triangles.empty() || triangles.back() != t) triangles.push_back(t);
+      }
     }
   }
   return of;
 }
 
 void lift_vertices(Raised& raised, const Sheet& sheet, const std::vector<std::uint32_t>& vertices,
-                   const ContactLine& line, bool flatten) {
+                   const std::vector<ContactLine>& lines, bool flatten) {
   for (const std::uint32_t i : vertices) {
     const Base& base = raised.base[i];
-    raised.at[i] = lift(sheet.vertices[i].foot, line.sweep, line.profile, base.position, base.normal);
+    const auto by = [&](const Foot& foot) {
+      const ContactLine& line = lines[foot.line];
+      return lift(foot, line.sweep, line.profile, base.position, base.normal);
+    };
+    const Sheet::Vertex& vertex = sheet.vertices[i];
+    raised.at[i] = by(vertex.foot);
+    if (vertex.other.exists()) {  // on a crease: the mean of where the two sides go
+      const Lifted other = by(vertex.other);
+      raised.at[i].position = 0.5 * (raised.at[i].position + other.position);
+      raised.across[i] = other.normal;
+    }
     if (flatten) raised.at[i].position = base.position;
   }
 }
@@ -100,21 +114,22 @@ bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<Cont
       const std::uint32_t v = sheet.triangles[t][k];
       base[k] = raised.base[v].position, at[k] = raised.at[v].position;
       was[k] = sheet.vertices[v].x, is[k] = planar(at[k]);
-      const Foot& foot = sheet.vertices[v].foot;
-      if (foot.exists()) most = std::max(most, slide(foot));
+      for (const Foot* foot : {&sheet.vertices[v].foot, &sheet.vertices[v].other})
+        if (foot->exists()) most = std::max(most, slide(*foot));
     }
     const bool squeezed = cross(is[1] - is[0], is[2] - is[0]) <= kLeast * cross(was[1] - was[0], was[2] - was[0]);
     const bool thin = thinness(at[0], at[1], at[2]) < kThinnest && thinness(base[0], base[1], base[2]) >= kThinnest;
-    const Foot& first = sheet.vertices[sheet.triangles[t][0]].foot;
-    const bool within = !squeezed && !thin && first.exists() && cuts(at, bodies[lines[first.line].solid]);
+    const bool within = !squeezed && !thin && cuts(at, bodies[lines[sheet.line_of(t)].solid]);
     if (!squeezed && !thin && !within) continue;
     for (int k = 0; k < 3; ++k) {  // what hardly slides is not to blame
-      const Foot& foot = sheet.vertices[sheet.triangles[t][k]].foot;
-      constexpr double kToBlame = 0.3;
-      if (!foot.exists() || (squeezed && (most == 0 || slide(foot) < kToBlame * most))) continue;
-      marks[foot.line][foot.node] = any = true;
-      const bool segment = foot.from != foot.to && foot.fan == 0;
-      if (segment) marks[foot.line][(foot.node + 1) % lines[foot.line].nodes.size()] = true;
+      const Sheet::Vertex& vertex = sheet.vertices[sheet.triangles[t][k]];
+      for (const Foot* foot : {&vertex.foot, &vertex.other}) {
+        constexpr double kToBlame = 0.3;
+        if (!foot->exists() || (squeezed && (most == 0 || slide(*foot) < kToBlame * most))) continue;
+        marks[foot->line][foot->node] = any = true;
+        const bool segment = foot->from != foot->to && foot->fan == 0;
+        if (segment) marks[foot->line][(foot->node + 1) % lines[foot->line].nodes.size()] = true;
+      }
     }
   }
   return any;
@@ -142,16 +157,17 @@ void lower(ContactLine& line, const std::vector<bool>& marked, bool to_level) {
 Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, const Patch& patch, const Sheet& sheet,
              std::vector<ContactLine>& lines, const std::vector<Body>& bodies, const Liquid& parameters,
              Warnings& warnings) {
-  Raised raised{std::vector<bool>(sheet.vertices.size(), false), {}, {}};
+  Raised raised{std::vector<bool>(sheet.vertices.size(), false), {}, {}, {}};
   raised.base.resize(sheet.vertices.size());
   raised.at.resize(sheet.vertices.size());
+  raised.across.resize(sheet.vertices.size());
   for (const glm::uvec3& t : sheet.triangles) raised.used[t.x] = raised.used[t.y] = raised.used[t.z] = true;
   find_bases(raised, liquid, surface, patch, sheet);
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i)
     raised.at[i] = {raised.base[i].position, raised.base[i].normal};
   const Members of = find_members(raised, sheet, lines.size());
   for (std::size_t l = 0; l < lines.size(); ++l)
-    lift_vertices(raised, sheet, of.vertices[l], lines[l], parameters.flatten);
+    lift_vertices(raised, sheet, of.vertices[l], lines, parameters.flatten);
 
   Marks lowered;
   for (const ContactLine& line : lines) lowered.emplace_back(line.nodes.size(), false);
@@ -175,7 +191,7 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
         if (lines[l].nodes[i].room < 0.95 * before[i]) lowered[l][i] = true;
       bond(lines[l], bodies[lines[l].solid], parameters);
       differentiate(lines[l]);
-      lift_vertices(raised, sheet, of.vertices[l], lines[l], parameters.flatten);
+      lift_vertices(raised, sheet, of.vertices[l], lines, parameters.flatten);
     }
   }
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {  // where lines cross there is no node to be bonded

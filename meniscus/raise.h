@@ -16,9 +16,10 @@ struct Share {
 };
 
 struct Raised {
-  std::vector<bool> used;  // per vertex of the sheet: is it a corner of a triangle?
-  std::vector<Base> base;  // where it is on the level liquid, if used
-  std::vector<Lifted> at;  // and where it is raised to
+  std::vector<bool> used;          // per vertex of the sheet: is it a corner of a triangle?
+  std::vector<Base> base;          // where it is on the level liquid, if used
+  std::vector<Lifted> at;          // and where it is raised to
+  std::vector<glm::dvec3> across;  // the normal there from the side of the vertex's other foot, on a crease
 };
 
 // Raises the sheet's vertices. Where neighbouring contact lines slide towards each other, or a line round a bend, so

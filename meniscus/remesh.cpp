@@ -44,7 +44,7 @@ class Builder {
     for (const Patch::Side& side : patch_.border()) border.push_back(divide(side));
     for (const BandPoint& p : sweep(lines_, gradings_, field_, patch_, spacing_)) {
       Sheet::Vertex& vertex = vertices_[add(p.x, false)];
-      if (!vertex.foot.exists()) vertex.foot = p.foot;
+      if (!vertex.foot.exists()) vertex.foot = p.foot, vertex.other = p.other;
     }
     keep_inner_points();
     for (std::size_t i = 0; i < border.size(); ++i) {
@@ -57,7 +57,7 @@ class Builder {
     }
     while (vertices_.size() < mesh_.points().size()) {  // where contact lines cross each other
       const glm::dvec2 x = mesh_.points()[vertices_.size()];
-      vertices_.push_back({x, field_.foot(x), nullptr, {}, {}, true});
+      vertices_.push_back({x, field_.foot(x), {}, nullptr, {}, {}, true});
     }
   }
 

@@ -128,19 +128,25 @@ Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surfac
   for (std::uint32_t t = 0; t < liquid.triangles.size(); ++t) {
     if (!patch.contains(t) && !drowned[t]) assembly.untouched(liquid.triangles[t]);
   }
-  std::vector<std::uint32_t> index(sheet.vertices.size());
-  for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
-    if (!raised.used[i]) continue;
+  constexpr std::uint32_t kNone = 0xffffffff;
+  std::array<std::vector<std::uint32_t>, 2> index;  // of each vertex, and on creases of that with the other normal
+  for (auto& i : index) i.assign(sheet.vertices.size(), kNone);
+  const auto corner = [&](std::size_t t, int k) {
+    const std::uint32_t i = sheet.triangles[t][k];
+    const bool across = sheet.across(t, k) && raised.across[i] != raised.at[i].normal;
+    std::uint32_t& v = index[across][i];
+    if (v != kNone) return v;
     const Sheet::Vertex& vertex = sheet.vertices[i];
-    index[i] = vertex.original && !vertex.node
-                   ? assembly.of_liquid(*vertex.original, raised.at[i].normal)
-                   : assembly.add(raised.at[i].position, raised.at[i].normal,
-                                  vertex.node != nullptr || vertex.border.has_value() || vertex.crossing);
-    if (vertex.node) assembly.result.may_end[index[i]] = true;
-  }
+    const Lifted& at = raised.at[i];
+    v = vertex.original && !vertex.node ? assembly.of_liquid(*vertex.original, at.normal)
+                                        : assembly.add(at.position, across ? raised.across[i] : at.normal,
+                                                       vertex.node || vertex.border || vertex.crossing);
+    if (vertex.node) assembly.result.may_end[v] = true;
+    return v;
+  };
   for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
-    const glm::uvec3& v = sheet.triangles[t];
-    assembly.triangle(index[v.x], index[v.y], index[v.z], sheet.raised[t], sheet.vertices[v.x].foot.line);
+    const std::uint32_t a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
+    assembly.triangle(a, b, c, sheet.raised[t], sheet.line_of(t));
   }
   return std::move(assembly.result);
 }
