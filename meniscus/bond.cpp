@@ -246,12 +246,6 @@ std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid) {
       pinned = otherwise;
     }
   }
-  constexpr double kLeastReach = 2;  // slides: a band that gives way is squeezed to half its width, not more
-  for (Node& node : line.nodes) {
-    for (Side* side : {&node.before, &node.after, &node.contact}) {
-      side->reach = std::min(std::max(node.free, kLeastReach * glm::length(side->slide)), sweep);
-    }
-  }
   return pinned;
 }
 

@@ -11,8 +11,7 @@ namespace meniscus {
 // vertex lies on the solid: along the direction in which the solid goes on as a whole, then by a ray along the contour
 // normal. Where the solid ends below (or above) the height, or slants too much, the line is pinned and its nodes' room
 // set to what is left. At joints the rise is the mean of both sides' and fades into theirs, as does the joint's slide
-// along the line. The slide fades before another foot is
-// nearer. Sets sweep to 0 where nothing rises. Returns how many nodes are pinned.
+// along the line. Sets sweep to 0 where nothing rises. Returns how many nodes are pinned.
 std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid);
 
 }  // namespace meniscus

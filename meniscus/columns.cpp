@@ -209,13 +209,15 @@ void differentiate(ContactLine& line) {
     double rise;
     glm::dvec2 slide;
     double reach;
+    glm::dvec2 toward;
   };
   std::vector<Change> change;
   for (std::size_t i = 0; i < line.segments(); ++i) {
     const Node& a = line.nodes[i];
     const Node& b = line.next(i);
     change.push_back({glm::distance(planar(a.position), planar(b.position)), b.before.direction - a.after.direction,
-                      b.before.rise - a.after.rise, b.before.slide - a.after.slide, b.before.reach - a.after.reach});
+                      b.before.rise - a.after.rise, b.before.slide - a.after.slide, b.before.reach - a.after.reach,
+                      b.before.toward - a.after.toward});
   }
   const auto set = [](Side& side, const Change& c) {
     if (c.length == 0) return;
@@ -224,14 +226,15 @@ void differentiate(ContactLine& line) {
     side.rise_slope = c.rise / c.length;
     side.slide_slope = c.slide / c.length;
     side.reach_slope = c.reach / c.length;
+    side.toward_slope = c.toward / c.length;
   };
   for (std::size_t i = 0; i < n; ++i) {
     Node& node = line.nodes[i];
     const bool has_in = line.closed || i > 0, has_out = line.closed || i + 1 < n;
     const Change in = has_in ? change[(i + change.size() - 1) % change.size()] : change[i];
     const Change out = has_out ? change[i] : in;
-    const Change both{in.length + out.length, in.direction + out.direction, in.rise + out.rise, in.slide + out.slide,
-                      in.reach + out.reach};
+    const Change both{in.length + out.length, in.direction + out.direction, in.rise + out.rise,
+                      in.slide + out.slide,   in.reach + out.reach,         in.toward + out.toward};
     set(node.before, node.joint ? in : both);
     set(node.after, node.joint ? out : both);
     set(node.contact, both);

@@ -17,10 +17,12 @@ struct Side {
   double curvature = 0;     // of the contour's normals along it, 1/m; positive round a post
   double rise = 0;          // of the contact line, along the liquid's normal; metres
   glm::dvec2 slide{0};      // of the contact line, in the plane, so that it lies on the solid; metres
-  double reach = 0;         // distance over which the slide fades, metres
+  double reach = 0;         // distance over which the slide passes over into `toward`, metres
+  glm::dvec2 toward{0};     // what is left of the slide there and beyond; metres
   double rise_slope = 0;    // their derivatives along the contour
   glm::dvec2 slide_slope{0};
   double reach_slope = 0;
+  glm::dvec2 toward_slope{0};
 };
 
 struct Node {

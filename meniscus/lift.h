@@ -11,9 +11,9 @@ struct Lifted {
 };
 
 // `base` on the level liquid, with its unit normal. Displaces by the rise times its falloff along that normal and by
-// the contact line's slide, fading linearly to 0 at its reach, along the contour normal; the normal is the cross
-// product of the two derivatives of this displacement, along and across the contour. Beyond the sweep length nothing
-// changes.
+// the contact line's slide, passing over linearly into what is left of it at its reach, along the contour normal; the
+// normal is the cross product of the two derivatives of this displacement, along and across the contour. Beyond the
+// sweep length nothing changes.
 Lifted lift(const Foot& foot, double sweep, Profile profile, const glm::dvec3& base, const glm::dvec3& liquid_normal);
 
 }  // namespace meniscus

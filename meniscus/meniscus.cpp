@@ -11,6 +11,7 @@
 #include "meniscus/predicates.h"
 #include "meniscus/prepare.h"
 #include "meniscus/profile.h"
+#include "meniscus/share.h"
 #include "meniscus/sizing.h"
 #include "meniscus/snap.h"
 #include "meniscus/stitch.h"
@@ -173,8 +174,10 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   for (ContactLine& line : lines) {
     const Body& body = bodies[line.solid];
     pinned[line.solid].add(bond(line, body, liquid), line.nodes.size());
-    differentiate(line);
   }
+  std::vector<bool> all(lines.size(), true);
+  share_slides(lines, all);
+  for (ContactLine& line : lines) differentiate(line);
   for (const auto& [solid, share] : pinned) {
     if (share.part == 0) continue;
     warnings.push_back({"solid '" + bodies[solid].name + "': the contact line is pinned along " + share.percent() +

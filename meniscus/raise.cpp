@@ -5,6 +5,7 @@
 #include <map>
 
 #include "meniscus/predicates.h"
+#include "meniscus/share.h"
 
 namespace meniscus {
 namespace {
@@ -104,7 +105,8 @@ bool find_folds(const Raised& raised, const Sheet& sheet, const std::vector<Cont
   constexpr double kThinnest = 0.0007;  // 1.5 degrees
   bool any = false;
   const auto slide = [](const Foot& foot) {
-    return glm::length(foot.from->slide + foot.t * (foot.to->slide - foot.from->slide));
+    return std::max({glm::length(foot.from->slide), glm::length(foot.to->slide), glm::length(foot.from->toward),
+                     glm::length(foot.to->toward)});
   };
   for (const std::uint32_t t : triangles) {
     glm::dvec2 was[3], is[3];
@@ -190,9 +192,12 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
       for (std::size_t i = 0; i < before.size(); ++i)
         if (lines[l].nodes[i].room < 0.95 * before[i]) lowered[l][i] = true;
       bond(lines[l], bodies[lines[l].solid], parameters);
-      differentiate(lines[l]);
-      lift_vertices(raised, sheet, of.vertices[l], lines, parameters.flatten);
     }
+    share_slides(lines, changed);
+    for (std::size_t l = 0; l < lines.size(); ++l)
+      if (changed[l]) differentiate(lines[l]);
+    for (std::size_t l = 0; l < lines.size(); ++l)
+      if (changed[l]) lift_vertices(raised, sheet, of.vertices[l], lines, parameters.flatten);
   }
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {  // where lines cross there is no node to be bonded
     const Sheet::Vertex& vertex = sheet.vertices[i];

@@ -127,6 +127,20 @@ TEST(Crease, EachSideHasItsOwnNormals) {
   EXPECT_LT(worst, 1e-3);
 }
 
+// Rods side by side: what lies between two of them slides along with both.
+TEST(Crease, MenisciThatSlideAlikeLeaveEachOtherRoom) {
+  for (const auto& [degrees, gap] : {std::pair(15, 0.8), std::pair(15, 1.2), std::pair(15, 1.8), std::pair(30, 2.2)}) {
+    constexpr double kRadius = 0.4;
+    std::vector<meniscus::Solid> rods;
+    for (const int k : {-1, 0, 1}) {
+      const TriangleMesh rod = turned(post(kRadius * kMm, -50 * kMm, 50 * kMm, 64), degrees, {0, 0, -1});
+      rods.push_back(solid(translated(rod, {k * (gap + 2 * kRadius) * kMm, 0, 0}), 30, "rod " + std::to_string(k)));
+    }
+    const Surface surface = build(water(sheet(40 * kMm, 1)), rods);
+    for (const std::string& warning : surface.warnings) ADD_FAILURE() << warning << ": " << degrees << " deg, " << gap;
+  }
+}
+
 // Where vertical lines meet the surface.
 class Heights {
  public:
