@@ -6,6 +6,7 @@
 
 #include "meniscus/predicates.h"
 #include "meniscus/profile.h"
+#include "meniscus/spine.h"
 
 namespace meniscus {
 namespace {
@@ -19,40 +20,24 @@ double dihedral(const glm::dvec3& solid_normal, const glm::dvec3& up) {
   return std::atan2(glm::length(glm::cross(solid_normal, up)), glm::dot(solid_normal, up));
 }
 
-// The direction +Y + lean in which the solid goes on from the contour: that of a tilted rod's axis, or of a tilted
-// box's edges, and straight up on spheres and cones. Least squares of normal . (Y + lean) = 0 over the line; only
-// across a flat wall.
-glm::dvec3 find_axis(const ContactLine& line) {
-  const glm::dvec3 straight(0, 1, 0);
-  glm::dmat2 square(0);
-  glm::dvec2 side(0);
-  for (std::size_t i = 0; i < line.segments(); ++i) {
-    const double length = glm::distance(line.nodes[i].position, line.next(i).position);
-    for (const glm::dvec3& normal : {line.nodes[i].after.solid_normal, line.next(i).before.solid_normal}) {
-      const glm::dvec2 n = planar(normal);
-      square += length * glm::outerProduct(n, n);
-      side -= length * normal.y * n;
-    }
-  }
-  const double least = 1e-6 * (square[0][0] + square[1][1]);
-  if (least == 0) return straight;
-  return straight + lifted(glm::inverse(square + glm::dmat2(least)) * side, 0);
-}
-
-// How the contact line climbs (or sinks) from one node: the rail says where it would go if the solid went on as a
+// How the contact line climbs (or sinks) from one node: the spine says where it would go if the solid went on as a
 // whole, rays along the contour normal find the solid beside it. Heights are along `up`.
 struct Climb {
   const Node& node;
   const Body& body;
   double sweep, height;
-  glm::dvec3 up, out, rail;  // the rail's component along up is 1
-  glm::dvec3 aside;          // at the full height
-  bool must_lean;            // the liquid may stand only where the solid's slant asks for this sense of the meniscus
+  const Spine& spine;
+  glm::dvec3 up, out;
+  glm::dvec3 aside;  // at the full height
+  bool must_lean;    // the liquid may stand only where the solid's slant asks for this sense of the meniscus
+
+  // Where rays for a part of the height start.
+  glm::dvec3 start(double part) const { return node.position + spine.at(part * height, up) + part * aside; }
 
   // The contact at a part of the height, found from the one at a smaller part.
   std::optional<Hit> contact(double part, const Hit& from, double from_part) const {
-    const glm::dvec3 origin = node.position + part * (height * rail + aside);
-    const glm::dvec3 before = node.position + from_part * (height * rail + aside);
+    const glm::dvec3 origin = start(part);
+    const glm::dvec3 before = start(from_part);
     // As far along the ray as the facet would be if it went on.
     const double was = glm::dot(from.position - before, out);
     const double expected = glm::dot(from.position - origin, from.facet) / std::max(glm::dot(from.facet, out), 1e-3);
@@ -107,20 +92,13 @@ double climb_from(const Climb& climb, Hit& at) {
   return held;
 }
 
-// The node's rise and slide: from where the axis and `aside` (metres, at the full height) take it, along the contour
+// The node's rise and slide: from where the spine and `aside` (metres, at the full height) take it, along the contour
 // normal to the solid. Returns whether the line had to be pinned here.
-bool bond_side(Side& side, Node& node, const Body& body, double sweep, double height, const glm::dvec3& axis,
+bool bond_side(Side& side, Node& node, const Body& body, double sweep, double height, const Spine& spine,
                const glm::dvec2& aside) {
   side.rise = 0, side.slide = glm::dvec2(0);
   const glm::dvec3 up = node.liquid_normal;
-  Climb climb{node,
-              body,
-              sweep,
-              height,
-              up,
-              glm::normalize(in_space(side.direction, up)),
-              axis / glm::dot(axis, up),
-              in_space(aside, up),
+  Climb climb{node, body, sweep, height, spine, up, glm::normalize(in_space(side.direction, up)), in_space(aside, up),
               false};
   const Hit level{node.position, side.solid_normal, side.solid_normal};
   Hit at = level;
@@ -171,8 +149,8 @@ double wanted_rise(const Node& node, const Side& side, const Body& body, const L
   return node.room * rise(liquid, body.contact_angle, dihedral(side.solid_normal, node.liquid_normal), node.curvature);
 }
 
-// Bonds every node, with the axis along which the solid is taken to go on. Returns how many are pinned.
-std::size_t bond_along(const glm::dvec3& axis, ContactLine& line, const Body& body, const Liquid& liquid) {
+// Bonds every node, with the spine along which the solid is taken to go on. Returns how many are pinned.
+std::size_t bond_along(const Spine& spine, ContactLine& line, const Body& body, const Liquid& liquid) {
   const std::size_t n = line.nodes.size();
   const double sweep = line.sweep;
   std::vector<double> heights(n);
@@ -185,14 +163,14 @@ std::size_t bond_along(const glm::dvec3& axis, ContactLine& line, const Body& bo
     const double before = wanted_rise(node, node.before, body, liquid),
                  after = wanted_rise(node, node.after, body, liquid);
     heights[i] = 0.5 * (before + after);
-    pinned += bond_side(node.contact, node, body, sweep, heights[i], axis, glm::dvec2(0));
+    pinned += bond_side(node.contact, node, body, sweep, heights[i], spine, glm::dvec2(0));
     for (Side* side : {&node.before, &node.after}) side->rise = node.contact.rise, side->slide = node.contact.slide;
     for (const bool forward : {false, true}) {
       const Side& side = forward ? node.after : node.before;
       const double step = heights[i] - (forward ? after : before);
       const glm::dvec2 along{side.direction.y, -side.direction.x};
-      const glm::dvec2 rail = planar(axis / glm::dot(axis, node.liquid_normal) - node.liquid_normal);
-      const glm::dvec2 shift = glm::dot(side.slide - side.rise * rail, along) * along;
+      const glm::dvec2 rail = planar(spine.at(side.rise, node.liquid_normal) - side.rise * node.liquid_normal);
+      const glm::dvec2 shift = glm::dot(side.slide - rail, along) * along;
       fade_from_joint(line, i, forward, std::max(0.25 * sweep, 3 * glm::length(shift)), glm::length(shift),
                       [&](std::size_t k, double weight) {
                         heights[k] += weight * step;
@@ -203,7 +181,7 @@ std::size_t bond_along(const glm::dvec3& axis, ContactLine& line, const Body& bo
   for (std::size_t i = 0; i < n; ++i) {
     Node& node = line.nodes[i];
     if (node.joint) continue;
-    pinned += bond_side(node.contact, node, body, sweep, heights[i], axis, aside[i]);
+    pinned += bond_side(node.contact, node, body, sweep, heights[i], spine, aside[i]);
     node.before = node.after = node.contact;
   }
   return pinned;
@@ -225,22 +203,22 @@ std::size_t count_disorder(const ContactLine& line) {
 
 std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid) {
   const double sweep = sweep_length(liquid);
-  double highest = 0;
+  double lowest = 0, highest = 0;
   for (const Node& node : line.nodes) {
     for (const Side* side : {&node.before, &node.after}) {
-      highest = std::max(highest, std::abs(wanted_rise(node, *side, body, liquid)));
+      const double rise = wanted_rise(node, *side, body, liquid);
+      lowest = std::min(lowest, rise), highest = std::max(highest, rise);
     }
   }
-  if (highest <= 1e-12 * liquid.capillary_length) {
+  if (std::max(-lowest, highest) <= 1e-12 * liquid.capillary_length) {
     line.sweep = 0;
     return 0;
   }
   line.sweep = sweep;
   ContactLine upright = line;
-  std::size_t pinned = bond_along(find_axis(line), line, body, liquid);
-  if (const std::size_t disorder =
-          count_disorder(line)) {  // no rod: a tilted ring, say, which curves away from the axis
-    const std::size_t otherwise = bond_along({0, 1, 0}, upright, body, liquid);
+  std::size_t pinned = bond_along(Spine(line, body, lowest, highest), line, body, liquid);
+  if (const std::size_t disorder = count_disorder(line)) {  // no rod: a tilted ring, say, which curves away too much
+    const std::size_t otherwise = bond_along(Spine(), upright, body, liquid);
     if (count_disorder(upright) < disorder) {
       std::copy(upright.nodes.begin(), upright.nodes.end(), line.nodes.begin());  // in place: feet point to them
       pinned = otherwise;

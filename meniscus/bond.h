@@ -8,7 +8,7 @@
 namespace meniscus {
 
 // Sets rise and slide of every node: the rise from the height rule and the room there is, the slide so that the contact
-// vertex lies on the solid: along the direction in which the solid goes on as a whole, then by a ray along the contour
+// vertex lies on the solid: along the way on which the solid goes on as a whole, then by a ray along the contour
 // normal. Where the solid ends below (or above) the height, or slants too much, the line is pinned and its nodes' room
 // set to what is left. At joints the rise is the mean of both sides' and fades into theirs, as does the joint's slide
 // along the line. Sets sweep to 0 where nothing rises. Returns how many nodes are pinned.

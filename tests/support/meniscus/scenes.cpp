@@ -346,10 +346,24 @@ std::vector<Case> make_cases() {
       },
       {1, 1, 1, 1, 0, {"solid 0' is open: which side"}})
       .ill = true;
-  for (const char* name :
-       {"PostTilted60", "PostTilted75", "CubeOnEdge", "CubeOnCorner", "StarTilted", "Helix", "TorusTilted", "RingChain",
-        "Needles", "ThousandNeedles", "PaperClip", "Hair", "Teapot", "TrayOfAll", "SheetOfSolid"}) {
-    for (Case& c : result) c.held = c.held || c.name.starts_with(name);
+  const std::vector<std::pair<std::string, Held>> held{{"PostTilted60", {45, 0}},
+                                                       {"PostTilted75", {65, 0}},
+                                                       {"PostTilted75NonWetting", {75, 0}},
+                                                       {"CubeOnCorner", {0, 65}},
+                                                       {"HelixStanding", {80, 60}},
+                                                       {"HelixLying", {3, 20}},
+                                                       {"TorusTiltedLittle", {2, 50}},
+                                                       {"RingChain", {100, 100}},
+                                                       {"Needles", {0, 60}},
+                                                       {"ThousandNeedles", {0, 100}},
+                                                       {"PaperClip", {100, 5}},
+                                                       {"PaperClipBent", {80, 70}},
+                                                       {"Hair", {100, 75}},
+                                                       {"TrayOfAll", {100, 0}},
+                                                       {"SheetOfSolidAcross", {0, 15}}};
+  for (const auto& [name, share] : held) {
+    for (Case& c : result)
+      if (c.name == name) c.held = share;
   }
   // A wall's large facet divided along one edge; a sheet of solid whose other side has no columns.
   for (Case& c : result) c.thin = c.name == "PostAtBlocksBorder" || c.name == "SheetOfSolidAcross";

@@ -18,6 +18,11 @@ struct Expected {
   std::vector<std::string> warnings{};  // a part of each; no other warning may come
 };
 
+// Percent of a solid's contact line that may be pinned, and lowered, with a warning.
+struct Held {
+  int pinned = 0, lowered = 0;
+};
+
 struct Scene {
   meniscus::Liquid liquid;
   std::vector<meniscus::Solid> solids;
@@ -28,7 +33,7 @@ struct Case {
   std::string name;
   std::function<Scene()> make;
   Expected expected;
-  bool held = false;  // the contact line may be pinned or lowered, with a warning
+  Held held{};
   bool thin = false;  // triangles below 1 degree remain
   bool ill = false;   // solids that enclose no volume: which side is liquid has no answer to compare with
   bool slow = false;  // for the sweep alone
