@@ -26,6 +26,7 @@ struct Column {
   std::uint32_t rank;
   glm::dvec2 origin;
   Foot foot;
+  double free = 0;       // as far as is known, no other foot is nearer
   double end = std::numeric_limits<double>::infinity();  // distance at which it meets a crease, and the sine of
   double sine = 1;                                       // the angle between the two
 };
@@ -35,7 +36,9 @@ glm::dvec2 rotated(const glm::dvec2& d, double a) {
 }
 
 // Columns for `turn` from one side to another: how many steps, an even number.
-int steps_for(double turn) { return 2 * static_cast<int>(std::ceil(-turn / (2 * kColumnTurn))); }
+int steps_for(double turn, const Fineness& fineness) {
+  return 2 * static_cast<int>(std::ceil(-turn / (2 * fineness.turn_at(0))));
+}
 
 // In a fan, halves come before quarters.
 std::uint32_t rank_of(int step, int steps) {
@@ -53,11 +56,11 @@ void add_columns(std::vector<Column>& columns, const ContactLine& line, std::siz
   const double turn = turn_between(node.before.direction, node.after.direction);
   if (!node.joint || turn >= 0) {
     foot.from = foot.to = &node.contact, foot.direction = node.contact.direction;
-    columns.push_back({0, origin, foot});
+    columns.push_back({0, origin, foot, node.free});
     return;
   }
   foot.from = &node.before, foot.to = &node.after, foot.fan = -turn;
-  const int n = steps_for(turn);
+  const int n = steps_for(turn, line.fineness);
   for (int k = 0; k <= n; ++k) {
     foot.t = static_cast<double>(k) / n;
     foot.direction = k == n ? node.after.direction : rotated(node.before.direction, turn * k / n);
@@ -67,13 +70,13 @@ void add_columns(std::vector<Column>& columns, const ContactLine& line, std::siz
 
 // Columns between node i and the next, where the contour turns much though the solid's normals, nearly upright, do not.
 void add_columns_between(std::vector<Column>& columns, const ContactLine& line, std::size_t l, std::size_t i) {
-  constexpr double kMuch = -3 * kColumnTurn;
+  constexpr double kMuch = -3;  // usual turns
   const Node &node = line.nodes[i], &next = line.next(i);
   const double turn = turn_between(node.after.direction, next.before.direction);
-  if (!(turn < kMuch * line.coarseness)) return;
+  if (!(turn < kMuch * line.fineness.turn_at(0))) return;
   Foot foot;
   foot.line = l, foot.node = i, foot.from = &node.after, foot.to = &next.before;
-  const int n = steps_for(turn);
+  const int n = steps_for(turn, line.fineness);
   for (int k = 1; k < n; ++k) {  // evenly spread, at the place where the interpolated normal has that direction
     foot.direction = rotated(node.after.direction, turn * k / n);
     const double from = cross(node.after.direction, foot.direction), to = cross(next.before.direction, foot.direction);
@@ -86,17 +89,20 @@ void add_columns_between(std::vector<Column>& columns, const ContactLine& line, 
 }  // namespace
 
 Grading::Grading(const ContactLine& line, double sweep_length)
-    : sweep_(line.sweep), profile_(line.profile), unit_(line.coarseness * sweep_length) {
+    : sweep_(line.sweep), unit_(sweep_length), fineness_(line.fineness) {
   double length = 0, longest = 0, shortest = sweep_length;
   for (std::size_t i = 0; i < line.segments(); ++i) {
     const double column = glm::distance(line.nodes[i].position, line.next(i).position);
     length += column, longest = std::max(longest, column), shortest = std::min(shortest, column);
   }
   const double column = length / static_cast<double>(line.segments());
-  most_ = kWidestLayer * unit_;
+  most_ = fineness_.layer * unit_;
+  // Round thin solids normals turn with the distance, too: layers widen no faster than columns do.
+  growth_ = std::max(kGrowth, std::min(kGrowth * fineness_.coarseness(), fineness_.turn_at(0)));
   first_ = column;
   if (sweep_ > 0) {  // no triangle at the wall much longer than wide, along it or across
-    const double least = std::max(std::min(kFirst, layer_spacing(profile_, 0)) * unit_, longest / kAspect);
+    const double finest = std::min(kFirst * fineness_.coarseness(), fineness_.spacing(0));
+    const double least = std::max(finest * unit_, longest / kAspect);
     first_ = std::min({column, least, kAspect * shortest, most_});
   }
 }
@@ -104,8 +110,8 @@ Grading::Grading(const ContactLine& line, double sweep_length)
 double Grading::spacing(double distance) const {
   if (sweep_ == 0) return first_ + kGrowthBeyond * distance;
   if (distance <= sweep_) {
-    const double bent = layer_spacing(profile_, distance / sweep_) * unit_;
-    return std::min(std::max(bent, first_), first_ + kGrowth * distance);
+    const double bent = fineness_.spacing(distance / sweep_) * unit_;
+    return std::min(std::max(bent, first_), first_ + growth_ * distance);
   }
   return most_ + kGrowthBeyond * (distance - sweep_);
 }
@@ -190,7 +196,7 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
         const glm::dvec2 x = column.origin + d * column.foot.direction;
         if (patch.box().distance(glm::dvec3(x, 0)) > 0) break;
         constexpr double kNearer = 1 - 1e-6;
-        if (field.any_foot(x, kNearer * d)) {  // here the column ends: another foot is nearer from here on
+        if (d > column.free && field.any_foot(x, kNearer * d).exists()) {  // the column ends: another foot is nearer
           if (own > kCreaseReach * lines[l].sweep) break;
           const BandPoint end = end_on_crease(field, lines, column.origin, column.foot, d);
           column.end = end.foot.distance, column.sine = sine_to_crease(end);
@@ -206,27 +212,26 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.distance, a.line, a.rank, a.column) < std::tie(b.distance, b.line, b.rank, b.column);
   });
-  std::vector<BandPoint> result;
+  // Line by line: whoever inserts them one after the other finds each near the one before.
+  std::vector<std::vector<BandPoint>> of_line(lines.size());
   const auto claim = [&](const BandPoint& p, double radius) {
-    if (!patch.at(p.x) || patch.border_within(p.x, 0.5 * gradings[p.foot.line].spacing(p.foot.distance))) return;
-    if (spacing.claim(p.x, radius)) result.push_back(p);
+    if (!patch.covers(p.x) || patch.border_within(p.x, 0.5 * gradings[p.foot.line].spacing(p.foot.distance))) return;
+    if (spacing.claim(p.x, radius)) of_line[p.foot.line].push_back(p);
   };
-  constexpr double kApart = 0.5, kApartBeyond = 0.7;  // of the spacing
+  constexpr double kApart = 0.7, kApartOnCrease = 0.5;  // of the spacing
   std::stable_sort(creases.begin(), creases.end(),
                    [](const BandPoint& a, const BandPoint& b) { return a.foot.distance < b.foot.distance; });
-  for (const BandPoint& p : creases) claim(p, kApart * gradings[p.foot.line].spacing(p.foot.distance));
+  for (const BandPoint& p : creases) claim(p, kApartOnCrease * gradings[p.foot.line].spacing(p.foot.distance));
   for (const Candidate& c : candidates) {
     const Column& column = columns[c.column];
     const double size = gradings[c.line].spacing(c.distance);
-    if (column.sine * (column.end - c.distance) < kApart * size) continue;  // too near to the crease
+    if (column.sine * (column.end - c.distance) < kApartOnCrease * size) continue;  // too near to the crease
     Foot foot = column.foot;
     foot.distance = c.distance;
-    const bool beyond = c.distance > lines[c.line].sweep;
-    claim({column.origin + c.distance * foot.direction, foot, {}}, (beyond ? kApartBeyond : kApart) * size);
+    claim({column.origin + c.distance * foot.direction, foot, {}}, kApart * size);
   }
-  // Line by line: whoever inserts them one after the other finds each near the one before.
-  std::stable_sort(result.begin(), result.end(),
-                   [](const BandPoint& a, const BandPoint& b) { return a.foot.line < b.foot.line; });
+  std::vector<BandPoint> result;
+  for (const std::vector<BandPoint>& points : of_line) result.insert(result.end(), points.begin(), points.end());
   return result;
 }
 

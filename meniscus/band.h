@@ -21,9 +21,9 @@ class Grading {
 
  private:
   double sweep_;  // of the line; 0 for a hole without a meniscus
-  Profile profile_;
-  double unit_;  // sweep length, times what the line is coarser by
-  double first_, most_;
+  double unit_;   // sweep length
+  Fineness fineness_;
+  double first_, most_, growth_;
 };
 
 // Points already taken, to keep others away from them.

@@ -20,4 +20,11 @@ struct Report {
 // Topology with positions merged where they are exactly equal.
 Report inspect(const TriangleMesh& mesh);
 
+// What goes wrong at edges, found much quicker than a whole report.
+struct Seams {
+  bool sound = true;  // no two triangles run along one edge in the same direction
+  std::vector<std::pair<std::size_t, std::size_t>> boundary;  // as in Report
+};
+Seams find_seams(const TriangleMesh& mesh);
+
 }  // namespace meniscus

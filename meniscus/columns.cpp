@@ -8,7 +8,7 @@
 namespace meniscus {
 namespace {
 
-constexpr double kCorner = 1.2 * kColumnTurn;  // of the polyline or of the normals, radians
+constexpr double kCorner = 0.06;  // of the polyline or of the normals, radians
 
 double angle(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -30,9 +30,12 @@ ContourPoint between(const ContourPoint& p, const ContourPoint& q, double t) {
 
 // Leaves out points within `tolerance` of the one before; the last of a closed contour against the first as well.
 std::vector<ContourPoint> merge(const Contour& contour, double tolerance) {
+  constexpr double kSmooth = 1e-6;
   std::vector<ContourPoint> kept;
   const auto absorb = [](ContourPoint& into, const ContourPoint& p) {  // p follows `into`
     const bool take = !into.border && (p.border || (is_joint(p) && !is_joint(into)));
+    const bool smooth = angle(into.before, into.after) < kSmooth && angle(p.before, p.after) < kSmooth;
+    if (!take && smooth && angle(into.after, p.after) < kCorner) return;  // its normals are those of its own place
     if (take) into.position = p.position, into.liquid_normal = p.liquid_normal, into.border = p.border;
     into.after = p.after;
   };
@@ -131,7 +134,7 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
     if (!is_joint(p)) p.before = p.after = blend(p.before, p.after, 0.5);
   }
   constexpr double kMostFine = 2e5;  // columns: a contour of kilometres is no reason to run out of memory
-  const double fine = std::max(kFineColumn * sweep_length, perimeter / kMostFine);
+  const double fine = std::max(kFineColumn * resolution.fineness.coarseness() * sweep_length, perimeter / kMostFine);
   points = divide(points, contour.closed, fine);
   const std::size_t n = points.size(), segments = contour.closed ? n : n - 1;
 
@@ -146,8 +149,8 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
   const std::size_t start = static_cast<std::size_t>(first_corner) == n ? 0 : static_cast<std::size_t>(first_corner);
   corner[start] = true;
 
+  constexpr double kShort = 0.13;  // columns
   Sizes sizes(resolution.sizes, fine);
-  const double turn = kColumnTurn * resolution.coarseness;
   double along_line = 0;
   std::vector<ContourPoint> nodes;
   for (std::size_t done = 0; done < segments;) {
@@ -158,8 +161,9 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
       const ContourPoint& p = points[(a + count) % n];
       const ContourPoint& q = points[(a + count + 1) % n];
       const double length = glm::distance(p.position, q.position);
-      cost.push_back(cost.back() +
-                     std::max(length / sizes.at(along_line + 0.5 * length), angle(p.after, q.before) / turn));
+      const double turn = angle(p.after, q.before);
+      const double most = turn > 0 ? resolution.fineness.turn_at(length / turn) : 1;
+      cost.push_back(cost.back() + std::max(length / sizes.at(along_line + 0.5 * length), turn / most));
       along_line += length;
       ++count;
     } while (done + count < segments && !corner[(a + count) % n]);
@@ -172,13 +176,17 @@ ContactLine refine(const Contour& contour, std::size_t solid, double sweep_lengt
       const ContourPoint& p = points[(a + s) % n];
       const ContourPoint& q = points[(a + s + 1) % n];
       const double t = (at - cost[s]) / (cost[s + 1] - cost[s]);
-      nodes.push_back(between(p, q, t));
+      if (cost[s + 1] - cost[s] > kShort * cost.back() / columns) {
+        nodes.push_back(between(p, q, t));
+      } else {  // a finely divided solid's own points lie on it best
+        nodes.push_back(t < 0.5 ? p : q);
+      }
     }
     done += count;
   }
   if (!contour.closed) nodes.push_back(points.back());
 
-  ContactLine line{solid, contour.closed, sweep_length, {}, resolution.coarseness};
+  ContactLine line{solid, contour.closed, sweep_length, {}, resolution.fineness.profile, resolution.fineness};
   const std::size_t m = nodes.size();
   for (std::size_t i = 0; i < m; ++i) {
     const ContourPoint& p = nodes[i];

@@ -7,6 +7,7 @@
 
 #include "meniscus/contour.h"
 #include "meniscus/meniscus.h"
+#include "meniscus/tolerance.h"
 
 namespace meniscus {
 
@@ -42,15 +43,13 @@ struct ContactLine {
   bool closed;
   double sweep = 0;  // how far the meniscus reaches, metres; 0 where none is raised
   std::vector<Node> nodes;
-  double coarseness = 1;  // factor on all spacings of its band
   Profile profile = Profile::sine;
+  Fineness fineness{};
 
   std::size_t segments() const { return closed ? nodes.size() : nodes.size() - 1; }
   const Node& next(std::size_t i) const { return nodes[(i + 1) % nodes.size()]; }
 };
 
-// The largest turn between neighbouring columns: 128 round a circle. A wider turn of the solid's normal is a joint.
-constexpr double kColumnTurn = 0.0491;
 constexpr double kFineColumn = 0.05;  // distance between columns where something changes along them, in sweep lengths
 constexpr double kAspect = 19;        // and elsewhere, in distances between layers
 
@@ -61,13 +60,13 @@ struct Size {
 
 // How finely a contour is divided; see sizing.h.
 struct Resolution {
-  std::vector<Size> sizes;  // from the line's first node on; empty: kFineColumn throughout
-  double coarseness = 1;    // factor by which nodes may turn more than kColumnTurn
+  std::vector<Size> sizes;  // from the line's first node on; empty: kFineColumn throughout, times the coarseness
+  Fineness fineness{};
 };
 
-// Merges points closer than a small part of the sweep length, averages normals that differ by less than a column's
-// turn, keeps joints and corners, and puts new points on the segments between them: as many as the turn of the normals
-// and the resolution ask for. Nodes lie on the solid's facets; only chords between them may leave the facets.
+// Merges points closer than a small part of the sweep length, averages normals that differ by less than three degrees,
+// keeps joints and corners, and puts new points on the segments between them: as many as the turn of the normals and
+// the resolution ask for. Nodes lie on the solid's facets; only chords between them may leave the facets.
 ContactLine refine(const Contour& contour, std::size_t solid, double sweep_length, const Resolution& resolution = {});
 
 // Curvature and slopes from the directions, rises and slides of neighbouring nodes. To be called when those are known.

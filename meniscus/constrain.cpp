@@ -31,7 +31,7 @@ void Triangulation::constrain(std::uint32_t a, std::uint32_t b, Crossing left_to
     constrain(m, b, left_to_right);
   };
   if (find_edge(a, b).first != kNone || find_edge(b, a).first != kNone) {
-    Crossing& crossing = constraints_[key(a, b)];
+    Crossing& crossing = constraint_of(a, b);
     const int sense = a < b ? 1 : -1;
     crossing.solid += sense * left_to_right.solid, crossing.patch += sense * left_to_right.patch;
     return;
@@ -106,6 +106,7 @@ void Triangulation::flip_until_edge(std::uint32_t a, std::uint32_t b, std::vecto
 
 const Crossing* Triangulation::constraint(std::uint32_t t, int i, int& sense) const {
   const std::uint32_t a = triangles_[t].v[(i + 1) % 3], b = triangles_[t].v[(i + 2) % 3];
+  if (!ends_constraint_[a] || !ends_constraint_[b]) return nullptr;
   const auto found = constraints_.find(key(a, b));
   if (found == constraints_.end()) return nullptr;
   sense = a < b ? 1 : -1;

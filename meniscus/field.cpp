@@ -97,28 +97,36 @@ Foot Field::foot_on(const Element& element, const glm::dvec2& x) const {
   return foot;
 }
 
-bool Field::any_foot(const glm::dvec2& x, double limit) const {
-  bool any = false;
+Foot Field::any_foot(const glm::dvec2& x, double limit) const {
+  Foot any;
   tree_.nearest(flat(x), limit, [&](std::uint32_t i) {
     const Foot foot = foot_on(elements_[i], x);
-    any = any || (foot.exists() && foot.distance <= limit);
-    return any ? -1 : limit;
+    if (foot.exists() && foot.distance <= limit) any = foot;
+    return any.exists() ? -1 : limit;
   });
   return any;
 }
 
 double Field::free_length(const glm::dvec2& from, const glm::dvec2& direction, double limit, int tries) const {
-  constexpr double kNearer = 1 - 1e-6;
-  const auto own = [&](double d) { return !any_foot(from + d * direction, kNearer * d); };
-  int k = 1;
-  while (k <= tries && own(limit * k / tries)) ++k;
-  if (k > tries) return limit;
-  double low = limit * (k - 1) / tries, high = limit * k / tries;
-  for (int i = 0; i < 12; ++i) {
-    const double middle = 0.5 * (low + high);
-    (own(middle) ? low : high) = middle;
+  constexpr double kNearer = 1 - 1e-6, kPrecise = 1 - 1e-4;
+  for (int k = 1; k <= tries; ++k) {
+    double free = limit * k / tries;
+    const double least = limit * (k - 1) / tries;
+    bool own = true;
+    for (;;) {  // the circle through `from` shrinks until no other foot lies in it
+      const glm::dvec2 x = from + free * direction;
+      const Foot foot = any_foot(x, kNearer * free);
+      if (!foot.exists()) break;
+      own = false;
+      const glm::dvec2 to = x - foot.distance * foot.direction - from;
+      const double smaller = 0.5 * glm::dot(to, to) / glm::dot(to, direction);
+      if (!(smaller > least)) return least;
+      if (smaller > kPrecise * free) return std::min(smaller, free);
+      free = smaller;
+    }
+    if (!own) return free;
   }
-  return low;
+  return limit;
 }
 
 Foot Field::foot(const glm::dvec2& x, double limit) const {

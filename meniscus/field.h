@@ -29,8 +29,8 @@ class Field {
 
   // The nearest foot, among those no farther than `limit`. Points inside solids have none, or that of another solid.
   Foot foot(const glm::dvec2& x, double limit = std::numeric_limits<double>::infinity()) const;
-  // Is there a foot no farther than `limit`? Quicker than the nearest one.
-  bool any_foot(const glm::dvec2& x, double limit) const;
+  // Some foot no farther than `limit`, if there is one. Quicker than the nearest.
+  Foot any_foot(const glm::dvec2& x, double limit) const;
 
   // How far one can go from a point of a line along its normal, up to `limit`, before another foot is nearer. Looks at
   // `tries` distances: at one alone it may stand within a solid, where nothing is near.

@@ -80,18 +80,19 @@ bool faces_up(const TriangleMesh& mesh) {
 // Says what is not as it must be; a picture is still possible.
 void check(const Liquid& liquid, const Stitched& result, const std::vector<ContactLine>& lines,
            const std::vector<Body>& bodies, Warnings& warnings) {
-  const Report report = inspect(result.mesh);
+  const Seams seams = find_seams(result.mesh);
   std::size_t gaps = 0;
-  for (const auto& [a, b] : report.boundary) {
+  for (const auto& [a, b] : seams.boundary) {
     if (result.may_end[a] && result.may_end[b]) continue;
     // A closed liquid's walls may end within the solid that holds it, where the free surface was taken away.
     const glm::dvec3 middle = 0.5 * (result.mesh.positions[a] + result.mesh.positions[b]);
     gaps += std::none_of(bodies.begin(), bodies.end(),
                          [&](const Body& body) { return winding_number(body.mesh, middle) > 0.5; });
   }
-  const std::size_t rejected_before = report.rejected > 0 ? inspect(liquid.mesh).rejected : 0;
-  if (report.rejected > rejected_before) {
-    warnings.push_back({"liquid '" + liquid.name + "': " + std::to_string(report.rejected - rejected_before) +
+  const std::size_t rejected = seams.sound ? 0 : inspect(result.mesh).rejected;
+  const std::size_t rejected_before = rejected > 0 ? inspect(liquid.mesh).rejected : 0;
+  if (rejected > rejected_before) {
+    warnings.push_back({"liquid '" + liquid.name + "': " + std::to_string(rejected - rejected_before) +
                         " triangles make its surface non-manifold"});
   }
   if (gaps > 0)
@@ -155,8 +156,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     for (Contour& contour : find_contours(level, surface, tree, bodies, s, warnings)) {
       refuse_endless(contour, bodies[s].name, reach);
-      lines.push_back(refine(contour, s, reach));
-      lines.back().profile = liquid.profile;
+      lines.push_back(refine(contour, s, reach, {{}, find_fineness(contour, bodies[s].contact_angle, liquid)}));
       contours.push_back(std::move(contour));
     }
   }
@@ -166,7 +166,6 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   constexpr double kCurved = 1;  // capillary lengths: fits the equilibrium of an ellipse best
   for (std::size_t l = 0; l < lines.size(); ++l) {
     lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
-    lines[l].profile = liquid.profile;
     measure_curvature(lines[l], kCurved * liquid.capillary_length);
   }
   find_free_lengths(lines, reach);

@@ -34,8 +34,13 @@ struct Liquid {
   Profile profile = Profile::sine;
   double height_scale = 1;  // artist's factor on the height
   double sweep_scale = 1;   // artist's factor on the sweep length, 2 capillary lengths
+  double tolerance = 1;     // factor on how far facets may leave the surface: see below
   bool flatten = false;     // menisci stay on the level liquid and have the raised surface's normals alone
 };
+
+// How far the facets of a meniscus, and the normals interpolated on them, may leave the surface at a tolerance of 1.
+constexpr double kHeightTolerance = 3.5e-4;  // capillary lengths: 1 um on water
+constexpr double kNormalTolerance = 0.036;   // degrees
 
 struct Solid {
   std::string name;

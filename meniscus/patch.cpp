@@ -93,8 +93,9 @@ Base Patch::interpolate(std::uint32_t t, const glm::dvec3& w, const glm::dvec2& 
   return {lifted(x, height), glm::normalize(n[0] + w.y * (n[1] - n[0]) + w.z * (n[2] - n[0]))};
 }
 
-std::optional<Base> Patch::at(const glm::dvec2& x) const {
-  std::optional<Base> result;
+template <class Found>
+void Patch::find(const glm::dvec2& x, Found found) const {
+  bool done = false;
   Box point;
   point.add(flat(x));
   triangle_tree_.overlapping(point, [&](std::uint32_t k) {
@@ -102,8 +103,19 @@ std::optional<Base> Patch::at(const glm::dvec2& x) const {
     const glm::dvec3 w =
         weights_at(x, planar(liquid_.corner(t, 0)), planar(liquid_.corner(t, 1)), planar(liquid_.corner(t, 2)));
     constexpr double kEdge = -1e-12;
-    if (!result && w.x >= kEdge && w.y >= kEdge && w.z >= kEdge) result = interpolate(t, w, x);
+    if (!done && w.x >= kEdge && w.y >= kEdge && w.z >= kEdge) found(t, w), done = true;
   });
+}
+
+std::optional<Base> Patch::at(const glm::dvec2& x) const {
+  std::optional<Base> result;
+  find(x, [&](std::uint32_t t, const glm::dvec3& w) { result = interpolate(t, w, x); });
+  return result;
+}
+
+bool Patch::covers(const glm::dvec2& x) const {
+  bool result = false;
+  find(x, [&](std::uint32_t, const glm::dvec3&) { result = true; });
   return result;
 }
 

@@ -34,12 +34,16 @@ class Patch {
   // The liquid at x, interpolated on the triangle it lies on; nothing outside the patch. `clamped` also answers a
   // little outside.
   std::optional<Base> at(const glm::dvec2& x) const;
+  bool covers(const glm::dvec2& x) const;
   Base clamped(const glm::dvec2& x) const;
 
   // Is the border nearer to x than `limit`?
   bool border_within(const glm::dvec2& x, double limit) const;
 
  private:
+  // Calls found(triangle, weights) for the one that x lies on.
+  template <class Found>
+  void find(const glm::dvec2& x, Found found) const;
   Base interpolate(std::uint32_t triangle, const glm::dvec3& weights, const glm::dvec2& x) const;
 
   const Topology& liquid_;

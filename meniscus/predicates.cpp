@@ -66,10 +66,7 @@ int cross_sign(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, co
 
 }  // namespace
 
-int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
-  // Error bound: three roundings a product and one of the difference, with room to spare.
-  if (std::abs(left - right) > 1e-15 * (std::abs(left) + std::abs(right))) return sign(left - right);
+int orient2d_exactly(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return minor({b.x, a.x}, {b.y, a.y}, {c.x, a.x}, {c.y, a.y}).sign();
 }
 

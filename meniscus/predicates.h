@@ -3,6 +3,7 @@
 // -ffast-math).
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 
 namespace meniscus {
@@ -13,8 +14,14 @@ inline glm::dvec3 lifted(const glm::dvec2& p, double height) { return {p.y, heig
 
 inline double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-// Sign (-1, 0, 1) of the turn a -> b -> c: positive when counter-clockwise. Exact.
-int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
+// Sign (-1, 0, 1) of the turn a -> b -> c: positive when counter-clockwise. Exact; the first for doubtful cases.
+int orient2d_exactly(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
+inline int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x), turn = left - right;
+  // Error bound: three roundings a product and one of the difference, with room to spare.
+  if (std::abs(turn) > 1e-15 * (std::abs(left) + std::abs(right))) return turn > 0 ? 1 : -1;
+  return orient2d_exactly(a, b, c);
+}
 
 // Sign of det[b - a, c - a, d - a]: positive when d is on the side to which the counter-clockwise normal of abc points.
 // Exact.

@@ -49,6 +49,9 @@ Topology weld_liquid(const Liquid& liquid, std::vector<std::uint32_t>& surface, 
   if (!(liquid.capillary_length > 0) || !std::isfinite(liquid.capillary_length)) {
     throw std::invalid_argument("liquid '" + liquid.name + "': the capillary length must be positive and finite");
   }
+  if (!(liquid.tolerance > 0) || !std::isfinite(liquid.tolerance)) {
+    throw std::invalid_argument("liquid '" + liquid.name + "': the tolerance must be positive and finite");
+  }
   if (!(liquid.sweep_scale > 0) || !std::isfinite(liquid.sweep_scale) || !std::isfinite(liquid.height_scale)) {
     throw std::invalid_argument("liquid '" + liquid.name +
                                 "': the scale of the sweep must be positive, both scales finite");

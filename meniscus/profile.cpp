@@ -11,25 +11,27 @@ namespace {
 
 Falloff sine(double d) {
   constexpr double k = glm::half_pi<double>();
-  const double s = std::sin(k * d);
-  return {1 - s, -k * std::cos(k * d), k * k * s};
+  const double s = std::sin(k * d), c = std::cos(k * d);
+  return {1 - s, -k * c, k * k * s, k * k * k * c};
 }
 
 // A quarter of a circle that touches the wall and the level.
 Falloff circular(double d) {
   const double from_wall = std::max(d, 1e-8), sagitta = std::sqrt(from_wall * (2 - from_wall));
-  return {1 - std::sqrt(d * (2 - d)), -(1 - from_wall) / sagitta, 1 / (sagitta * sagitta * sagitta)};
+  const double cube = sagitta * sagitta * sagitta;
+  return {1 - std::sqrt(d * (2 - d)), -(1 - from_wall) / sagitta, 1 / cube,
+          -3 * (1 - from_wall) / (cube * sagitta * sagitta)};
 }
 
 // The linearised Young-Laplace equation's solutions at distance d S = 2 d L: from a flat wall exp(-x / L), and K0(r /
 // L) round a post of radius L.
 Falloff decay(double d) {
   const double e = std::exp(-2 * d);
-  return {e, -2 * e, 4 * e};
+  return {e, -2 * e, 4 * e, -8 * e};
 }
 Falloff bessel(double d) {
   const double r = 1 + 2 * d, k0 = std::cyl_bessel_k(0, r), k1 = std::cyl_bessel_k(1, r);
-  return {k0, -2 * k1, 4 * (k0 + k1 / r)};
+  return {k0, -2 * k1, 4 * (k0 + k1 / r), -8 * (k1 + (k0 + 2 * k1 / r) / r)};
 }
 
 // Less the tangent at d = 1, so that it ends there without a crease, and 1 at d = 0.
@@ -38,7 +40,8 @@ Falloff ended(double d) {
   static const Falloff start = function(0), end = function(1);
   static const double scale = 1 / (start.height - (end.height - end.slope));
   const Falloff f = function(d);
-  return {scale * (f.height - (end.height + (d - 1) * end.slope)), scale * (f.slope - end.slope), scale * f.bend};
+  return {scale * (f.height - (end.height + (d - 1) * end.slope)), scale * (f.slope - end.slope), scale * f.bend,
+          scale * f.jerk};
 }
 
 }  // namespace
@@ -71,11 +74,6 @@ Falloff falloff(Profile profile, double d) {
       break;
   }
   return ended<bessel>(d);
-}
-
-double layer_spacing(Profile profile, double d) {  // a chord's error is spacing^2 bend / 8
-  const double most_bend = glm::half_pi<double>() * glm::half_pi<double>(), bend = falloff(profile, d).bend;
-  return std::max(kFinestLayer, kWidestLayer * std::min(1.0, std::sqrt(most_bend / bend)));
 }
 
 }  // namespace meniscus

@@ -18,13 +18,8 @@ double rise(const Liquid& liquid, double contact_angle, double beta, double curv
 // The factor on the rise at d = distance / S: 1 at the contact line, 0 from d = 1 on, where all profiles run out level;
 // and its derivatives by d. The circular one is vertical at the wall: its derivatives there are those at d = 1e-8.
 struct Falloff {
-  double height = 0, slope = 0, bend = 0;
+  double height = 0, slope = 0, bend = 0, jerk = 0;
 };
 Falloff falloff(Profile profile, double d);
-
-// Distance between layers, in sweep lengths, at which chords leave the profile no farther than the usual layers leave
-// the sine where it bends most.
-double layer_spacing(Profile profile, double d);
-constexpr double kWidestLayer = 1.0 / 66, kFinestLayer = 1.0 / 360;  // its range
 
 }  // namespace meniscus

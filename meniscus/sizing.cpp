@@ -21,7 +21,7 @@ constexpr double kUnset = 1e300;
 // How far the column at this node reaches, up to `sweep`, before another foot is nearer; 0 where the liquid ends first.
 double free_length(const Node& node, const Field& field, const Patch& patch, double sweep) {
   const glm::dvec2 from = planar(node.position);
-  if (!patch.at(from + kWithinPatch * sweep * node.contact.direction)) return 0;
+  if (!patch.covers(from + kWithinPatch * sweep * node.contact.direction)) return 0;
   return field.free_length(from, node.contact.direction, sweep, 1);
 }
 
@@ -49,9 +49,9 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const ContactLine& line = lines[l];
     const std::size_t n = line.nodes.size();
-    const double fine = kFineColumn * sweep_length;
-    const double wide = kAspect * layer_spacing(line.profile, 0) * sweep_length;
-    Resolution resolution;
+    const double fine = kFineColumn * line.fineness.coarseness() * sweep_length;
+    const double wide = kAspect * line.fineness.spacing(0) * sweep_length;
+    Resolution resolution{{}, line.fineness};
     std::vector<double> free;
     for (const Node& node : line.nodes) {
       free.push_back(node.joint ? 0 : free_length(node, field, patch, sweep_length));
@@ -65,7 +65,7 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
       Size &from = resolution.sizes[i], &to = resolution.sizes[(i + 1) % n];
       const double slant = std::abs(free[(i + 1) % n] - free[i]);
       double size = std::min(wide, std::max(fine, slant > 0 ? fine * step / slant : kUnset));
-      if (turn > 0) size = std::min(size, kColumnTurn * step / turn);
+      if (turn > 0) size = std::min(size, line.fineness.turn_at(step / turn) * step / turn);
       from.size = std::min(from.size, size), to.size = std::min(to.size, size);
       length += step;
       if (i + 1 < n) to.along = length;
@@ -76,17 +76,23 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
       const double step = glm::distance(line.nodes[i].position, line.next(i).position);
       const double reach = free[i] > 0 ? free[i] : sweep_length;
       constexpr double kAround = 1.4;  // triangles in and round the band, for each of the band's own
-      triangles += kAround * 2 * step / resolution.sizes[i].size * reach / (kWidestLayer * sweep_length);
+      triangles += kAround * 2 * step / resolution.sizes[i].size * reach / (line.fineness.layer * sweep_length);
     }
     whole += length;
     result.push_back(std::move(resolution));
   }
   if (triangles <= kMostTriangles) return result;
   const double coarseness = std::sqrt(triangles / kMostTriangles);
+  bool within = true;
+  Error most;
   for (Resolution& resolution : result) {
-    resolution.coarseness = coarseness;
+    Fineness& fineness = resolution.fineness;
+    fineness = fineness.coarser(coarseness);
     for (Size& s : resolution.sizes) s.size *= coarseness;
+    within = within && fineness.within_tolerance();
+    most = {std::max(most.height, fineness.error.height), std::max(most.normal, fineness.error.normal)};
   }
+  if (within) return result;
   std::ostringstream message;
   message << "solid '" << bodies[lines.front().solid].name << "'";
   if (lines.size() > 1)
@@ -94,8 +100,9 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
   else
     message << ": its contour";
   message << " of " << std::setprecision(3) << whole << " m " << (lines.size() > 1 ? "are" : "is")
-          << " too long for the usual resolution: the menisci are " << coarseness
-          << " times as coarse, to stay below two million triangles";
+          << " too long for the tolerance of the menisci: to stay below two million triangles they are off by up to "
+          << 1e6 * most.height << " um and " << glm::degrees(most.normal) << " degrees, " << coarseness * coarseness
+          << " times as much as usual";
   std::vector<std::size_t> solids;
   for (const ContactLine& line : lines) solids.push_back(line.solid);
   warnings.push_back({message.str(), std::move(solids)});

@@ -2,6 +2,7 @@
 // left at 0.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -33,13 +34,12 @@ class Tree {
   template <class Leaf>
   void overlapping(const Box& box, Leaf leaf) const {
     if (nodes_.empty()) return;
-    std::vector<std::uint32_t> stack{0};
-    while (!stack.empty()) {
-      const Node& node = nodes_[stack.back()];
-      stack.pop_back();
+    std::array<std::uint32_t, 64> stack{0};  // one a level, and medians halve at most 32 times
+    for (std::size_t size = 1; size > 0;) {
+      const Node& node = nodes_[stack[--size]];
       if (!node.box.overlaps(box)) continue;
       if (node.count == 0) {
-        stack.push_back(node.first + 1), stack.push_back(node.first);
+        stack[size++] = node.first + 1, stack[size++] = node.first;
       } else {
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
           if (boxes_[order_[i]].overlaps(box)) leaf(order_[i]);

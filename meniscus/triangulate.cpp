@@ -13,6 +13,7 @@ Triangulation::Triangulation(const glm::dvec2& low, const glm::dvec2& high) {
   const double size = 64 * std::max({high.x - low.x, high.y - low.y, 1e-300});
   points_ = {centre + glm::dvec2(-size, -size), centre + glm::dvec2(size, -size), centre + glm::dvec2(0, size)};
   triangle_of_ = {0, 0, 0};
+  ends_constraint_.assign(3, false);
   triangles_.push_back({{0, 1, 2}, {kNone, kNone, kNone}});
 }
 
@@ -85,6 +86,7 @@ std::uint32_t Triangulation::insert(const glm::dvec2& p) {
              y = x + 1;
   points_.push_back(p);
   triangle_of_.push_back(t);
+  ends_constraint_.push_back(false);
   if (on < 0) {
     const auto [a, b, c] = old.v;
     set(t, {m, b, c}, {old.n[0], x, y});
@@ -108,7 +110,7 @@ std::uint32_t Triangulation::insert(const glm::dvec2& p) {
     constraints_.erase(found);
     for (const auto& [from, to] : {std::pair(b, m), std::pair(m, c)}) {
       const int sense = (from < to) == forward ? 1 : -1;
-      constraints_[key(from, to)] = {sense * crossing.solid, sense * crossing.patch};
+      constraint_of(from, to) = {sense * crossing.solid, sense * crossing.patch};
     }
   }
   set(t, {m, a, b}, {ab, u, x});

@@ -48,7 +48,11 @@ class Triangulation {
   int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   bool in_circle(const Triangle& t, std::uint32_t d) const;
   bool fixed(std::uint32_t a, std::uint32_t b) const {
-    return !constraints_.empty() && constraints_.contains(key(a, b));
+    return ends_constraint_[a] && ends_constraint_[b] && constraints_.contains(key(a, b));
+  }
+  Crossing& constraint_of(std::uint32_t a, std::uint32_t b) {  // a fresh one where it has none
+    ends_constraint_[a] = ends_constraint_[b] = true;
+    return constraints_[key(a, b)];
   }
   std::uint32_t locate(const glm::dvec2& p) const;
   int corner(std::uint32_t t, std::uint32_t vertex) const;
@@ -65,6 +69,7 @@ class Triangulation {
   std::vector<glm::dvec2> points_;
   std::vector<std::uint32_t> triangle_of_;  // one triangle at each vertex
   std::vector<Triangle> triangles_;
+  std::vector<bool> ends_constraint_;    // per vertex: does one start or end there, or did? Spares most look-ups
   std::map<Key, Crossing> constraints_;  // left of smaller -> larger index, to its right
   mutable std::uint32_t last_ = 0;       // where the next search starts: points come in coherent order
 };

@@ -18,6 +18,7 @@ namespace {
 struct MeshOptions {
   std::string scene, output;
   MeniscusModel meniscus = MeniscusModel::exact;
+  double tolerance = 1;
 };
 
 std::string summary(const std::string& file, const std::vector<LiquidSurface>& liquids) {
@@ -36,7 +37,7 @@ std::string summary(const std::string& file, const std::vector<LiquidSurface>& l
 
 void run(const MeshOptions& options) {
   require_writable(options.output);
-  gltf::Exported exported = gltf::export_with_menisci(options.scene, options.meniscus);
+  gltf::Exported exported = gltf::export_with_menisci(options.scene, options.meniscus, options.tolerance);
   for (const std::string& w : exported.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   const auto pack = options.output.ends_with(".glb") ? gltf::as_glb : gltf::as_text;
   write_file(options.output, pack(std::move(exported.document)));
@@ -56,7 +57,7 @@ void add_mesh(CLI::App& app) {
         const bool known = name.ends_with(".glb") || name.ends_with(".gltf");
         return known ? std::string() : name + " ends neither in .glb nor in .gltf";
       });
-  add_meniscus_option(*command, options->meniscus);
+  add_meniscus_options(*command, options->meniscus, options->tolerance);
   command->parse_complete_callback([options] {
     if (is_same_file(options->scene, options->output))
       throw CLI::ValidationError("--output", options->output + " is the scene itself: its liquids would be lost");

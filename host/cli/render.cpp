@@ -48,7 +48,7 @@ void render(const RenderOptions& options) {
   const Scene scene = load_gltf(options.scene);
   RunStatistics run;
   run.seconds["load"] = total.seconds();
-  const World world = build_world(scene, options.meniscus);
+  const World world = build_world(scene, options.meniscus, options.meniscus_tolerance);
   progress.clear();
   for (const std::string& w : scene.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   for (const std::string& w : world.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);

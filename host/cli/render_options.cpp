@@ -117,7 +117,7 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
                   "auto, cpu (the reference path), or a Vulkan device's index or part of its name")
       ->type_name("DEVICE")
       ->capture_default_str();
-  add_meniscus_option(command, options.meniscus);
+  add_meniscus_options(command, options.meniscus, options.meniscus_tolerance);
   add_choice<Integrator>(command, "--integrator", options.integrator,
                          {{"targeted", Integrator::targeted}, {"ordinary", Integrator::ordinary}},
                          "Photons from what the camera sees back to the lights, or ordinary photon mapping from the "
@@ -237,12 +237,18 @@ PassRange RenderOptions::passes_to_run() const {
   return {pass_range->first, std::min(pass_range->last, passes.value_or(pass_range->last))};
 }
 
-void add_meniscus_option(CLI::App& command, MeniscusModel& model) {
+void add_meniscus_options(CLI::App& command, MeniscusModel& model, double& tolerance) {
   add_choice<MeniscusModel>(
       command, "--meniscus", model,
       {{"none", MeniscusModel::none}, {"paper", MeniscusModel::paper}, {"exact", MeniscusModel::exact}},
       "No menisci, the paper's profile, or the Young-Laplace surface")
       ->default_str("exact");
+  command
+      .add_option("--meniscus-tolerance", tolerance,
+                  "Factor on how far the facets of menisci may be off; by default 1 um on water, and 0.036 degrees")
+      ->type_name("F")
+      ->check(positive())
+      ->capture_default_str();
 }
 
 void add_render_options(CLI::App& command, RenderOptions& options) {

@@ -47,6 +47,7 @@ struct RenderOptions {
 
   std::string device = "auto";
   MeniscusModel meniscus = MeniscusModel::exact;
+  double meniscus_tolerance = 1;
   Integrator integrator = Integrator::targeted;
   Quality quality = Quality::final;
   std::optional<std::uint32_t> photons;  // per pass; not given: the quality's
@@ -83,7 +84,7 @@ struct RenderOptions {
 // contradict each other, end it with a CLI::ParseError that names the option: exit code 2.
 void add_render_options(CLI::App& command, RenderOptions& options);
 
-// `--meniscus`, as every command has it that raises menisci.
-void add_meniscus_option(CLI::App& command, MeniscusModel& model);
+// `--meniscus` and `--meniscus-tolerance`, as every command has them that writes menisci.
+void add_meniscus_options(CLI::App& command, MeniscusModel& model, double& tolerance);
 
 }  // namespace meniscal

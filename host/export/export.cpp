@@ -5,12 +5,12 @@
 
 namespace meniscal::gltf {
 
-Exported export_with_menisci(const std::string& path, MeniscusModel model) {
+Exported export_with_menisci(const std::string& path, MeniscusModel model, double meniscus_tolerance) {
   Messages messages(path);
   const Source source = read_source(path, messages);
   const Scene scene = make_scene(source, messages);
   Exported result{open_document(source), {}, scene.warnings};
-  result.liquids = raise_menisci(scene, model, result.warnings);
+  result.liquids = raise_menisci(scene, model, meniscus_tolerance, result.warnings);
   if (result.liquids.empty())
     result.warnings.push_back(path + ": has no liquid (material extra meniscus_liquid): written as it is");
   Messages of_export(path);

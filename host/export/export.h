@@ -16,6 +16,6 @@ struct Exported {
 };
 
 // Throws Error(ExitCode::scene).
-Exported export_with_menisci(const std::string& path, MeniscusModel model);
+Exported export_with_menisci(const std::string& path, MeniscusModel model, double meniscus_tolerance = 1);
 
 }  // namespace meniscal::gltf

@@ -17,7 +17,7 @@ struct Key {
   Place place;
 };
 
-constexpr std::array<Key, 15> keys = {{{"angular_diameter", Place::light},
+constexpr std::array<Key, 16> keys = {{{"angular_diameter", Place::light},
                                        {"dielectric_priority", Place::material},
                                        {"environment", Place::scene},
                                        {"gravity", Place::scene},
@@ -31,7 +31,8 @@ constexpr std::array<Key, 15> keys = {{{"angular_diameter", Place::light},
                                        {"meniscus_profile", Place::material},
                                        {"meniscus_surface_tension", Place::material},
                                        {"meniscus_sweep_scale", Place::material},
-                                       {"meniscus_target", Place::material}}};
+                                       {"meniscus_target", Place::material},
+                                       {"meniscus_tolerance", Place::material}}};
 
 constexpr std::string_view contact_angle_prefix = "meniscus_contact_angle_";
 

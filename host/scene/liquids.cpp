@@ -52,6 +52,7 @@ std::optional<LiquidProperties> read_liquid(const Extras& extras) {
   liquid.height_rule =
       extras.text("meniscus_height_rule", {"wetting", "equation2", "exact"}).value_or(liquid.height_rule);
   liquid.flatten = extras.flag("meniscus_flatten");
+  liquid.tolerance = extras.number("meniscus_tolerance", {0, 1, true});
   return liquid;
 }
 

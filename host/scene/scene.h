@@ -24,6 +24,7 @@ struct LiquidProperties {
   std::string profile = "sine";
   std::string height_rule = "wetting";
   bool flatten = false;
+  std::optional<double> tolerance;  // of the menisci's heights, metres; none: meniscus::kHeightTolerance
 };
 
 struct Material {

@@ -21,7 +21,7 @@ double contact_angle(const Material& solid, const Material& liquid) {
 
 namespace {
 
-meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusModel model) {
+meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusModel model, double tolerance) {
   const LiquidProperties& p = *scene.materials[object.material].liquid;
   meniscus::Liquid liquid{.name = object.name,
                           .mesh = object.mesh,
@@ -36,6 +36,8 @@ meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusM
                    : p.profile == "bessel"    ? bessel
                                               : sine;
   liquid.flatten = p.flatten;
+  liquid.tolerance = tolerance;
+  if (p.tolerance) liquid.tolerance *= *p.tolerance / (meniscus::kHeightTolerance * liquid.capillary_length);
   return liquid;
 }
 
@@ -51,7 +53,8 @@ std::vector<meniscus::Solid> solids_for(const Scene& scene, const Material& liqu
 
 }  // namespace
 
-std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, std::vector<std::string>& warnings) {
+std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, double tolerance,
+                                         std::vector<std::string>& warnings) {
   std::vector<LiquidSurface> liquids;
   bool contacts = false;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -59,7 +62,8 @@ std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model
     const Material& material = scene.materials[object.material];
     if (!material.liquid) continue;
     try {
-      liquids.push_back({i, meniscus::build(make_liquid(scene, object, model), solids_for(scene, material))});
+      liquids.push_back(
+          {i, meniscus::build(make_liquid(scene, object, model, tolerance), solids_for(scene, material))});
     } catch (const std::invalid_argument& error) {
       throw Error(ExitCode::scene, scene.file + ": " + error.what());
     }

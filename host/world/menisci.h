@@ -23,7 +23,9 @@ struct LiquidSurface {
 };
 
 // One for each liquid object, in their order; `none` cuts the liquids where solids pierce them, level. Deterministic.
-// Throws Error(ExitCode::scene).
-std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, std::vector<std::string>& warnings);
+// `tolerance` is a factor on how far the
+// menisci may be off. Throws Error(ExitCode::scene).
+std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, double tolerance,
+                                         std::vector<std::string>& warnings);
 
 }  // namespace meniscal

@@ -126,11 +126,11 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
 
 }  // namespace
 
-World build_world(const Scene& scene, MeniscusModel model) {
+World build_world(const Scene& scene, MeniscusModel model, double meniscus_tolerance) {
   World world;
   const Stopwatch watch;
   const std::vector<std::uint32_t> closed_surface = build_surfaces(world, scene);
-  const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, world.warnings);
+  const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, meniscus_tolerance, world.warnings);
   auto next = liquids.begin();
   for (const Object& object : scene.objects) {
     const Material& m = scene.materials[object.material];

@@ -67,6 +67,6 @@ struct World {
 
 // Raises the menisci (`none`: cuts the liquid where solids pierce it, level), flattens the scene and builds the tables.
 // Deterministic. Throws Error(ExitCode::scene).
-World build_world(const Scene& scene, MeniscusModel model);
+World build_world(const Scene& scene, MeniscusModel model, double meniscus_tolerance = 1);
 
 }  // namespace meniscal

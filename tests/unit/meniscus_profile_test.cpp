@@ -81,21 +81,19 @@ TEST(Profile, CircularStandsUprightAtTheWallWithFiniteNumbers) {
   EXPECT_TRUE(std::isfinite(wall.slope) && std::isfinite(wall.bend));
 }
 
-TEST(Profile, LayersStandAsCloseAsItBends) {
-  const double error = kWidestLayer * kWidestLayer * glm::half_pi<double>() * glm::half_pi<double>() / 8;
+TEST(Profile, DerivativesAreThoseOfTheHeight) {
+  constexpr double kStep = 1e-5;
   for (const Profile profile : kProfiles) {
-    for (double d = 0; d < 0.99; d += 0.01) {
-      const double spacing = layer_spacing(profile, d);
-      EXPECT_LE(spacing, kWidestLayer);
-      EXPECT_GE(spacing, kFinestLayer);
-      if (spacing == kFinestLayer) continue;
-      EXPECT_LT(spacing * spacing * falloff(profile, d).bend / 8, error * (1 + 1e-9));
+    for (double d = 0.05; d < 0.95; d += 0.1) {
+      const Falloff before = falloff(profile, d - kStep), at = falloff(profile, d), after = falloff(profile, d + kStep);
+      const auto expect = [&](double found, double low, double high) {
+        EXPECT_NEAR(found, (high - low) / (2 * kStep), 1e-5 * std::abs(found) + 1e-6) << d;
+      };
+      expect(at.slope, before.height, after.height);
+      expect(at.bend, before.slope, after.slope);
+      expect(at.jerk, before.bend, after.bend);
     }
   }
-  EXPECT_EQ(layer_spacing(Profile::sine, 0), kWidestLayer);
-  EXPECT_LT(layer_spacing(Profile::exponential, 0), 0.65 * kWidestLayer);
-  EXPECT_LT(layer_spacing(Profile::bessel, 0), layer_spacing(Profile::exponential, 0));
-  EXPECT_EQ(layer_spacing(Profile::circular, 0), kFinestLayer);
 }
 
 }  // namespace

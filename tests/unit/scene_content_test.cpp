@@ -121,7 +121,8 @@ TEST_F(SceneContent, TheSceneOverridesTheLiquidsTable) {
                                             {"meniscus_sweep_scale", 0.5},
                                             {"meniscus_profile", "bessel"},
                                             {"meniscus_height_rule", "equation2"},
-                                            {"meniscus_flatten", 1}});
+                                            {"meniscus_flatten", 1},
+                                            {"meniscus_tolerance", 2e-6}});
   document.json["materials"][0]["extensions"]["KHR_materials_ior"]["ior"] = 1.5;
   document.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 0.3;
   const Material m = load(document).materials[0];
@@ -132,6 +133,7 @@ TEST_F(SceneContent, TheSceneOverridesTheLiquidsTable) {
   EXPECT_EQ(m.liquid->profile, "bessel");
   EXPECT_EQ(m.liquid->height_rule, "equation2");
   EXPECT_TRUE(m.liquid->flatten);
+  EXPECT_EQ(m.liquid->tolerance, 2e-6);
   EXPECT_EQ(m.ior, 1.5);
   EXPECT_EQ(m.roughness, 0.3);
 }

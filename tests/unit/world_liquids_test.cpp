@@ -65,6 +65,16 @@ TEST(WorldLiquids, ProfilesDiffer) {
   for (std::size_t i = 1; i < means.size(); ++i) EXPECT_GT(means[i], 1.01 * means[i - 1]);
 }
 
+TEST(WorldLiquids, ToleranceCountsInMetres) {
+  const auto triangles_at = [](std::optional<double> tolerance) {
+    return with_water([&](LiquidProperties& p) { p.tolerance = tolerance; }).liquids.at(0).contacts.at(0).triangles;
+  };
+  const double usual = meniscus::kHeightTolerance * std::sqrt(0.0728 / (998.2 * 9.80665));
+  EXPECT_EQ(triangles_at(usual), triangles_at({}));
+  EXPECT_LT(triangles_at(4 * usual), 0.35 * double(triangles_at({})));
+  EXPECT_GT(triangles_at(usual / 4), 3 * triangles_at({}));
+}
+
 TEST(WorldLiquids, FlattenLeavesItLevel) {
   const World world = with_water([](LiquidProperties& p) { p.flatten = true; });
   EXPECT_EQ(height(world, true), 0);

@@ -198,7 +198,7 @@ std::vector<Case> make_cases() {
   add("Needles", [] { return in(level(30), needles(8, 12 * kMm, 0.3 * kMm, 60 * kMm, 30, 2.5 * kMm)); }, {8, 0, 1, 9});
   add("ThousandNeedles",
       [] { return in(level(120, 40), needles(1000, 110 * kMm, 0.2 * kMm, 40 * kMm, 30, 1.5 * kMm)); },
-      {1000, 0, 1, 1001, 0, {"and others: their contours"}})
+      {1000, 0, 1, 1001})
       .slow = true;
   for (const double gap : {0.1, 0.3, 1.0, 3.0, 10.0}) {
     add("TwoPosts" + std::to_string(static_cast<int>(10 * gap)) + "Tenths", [=] { return in(level(), two_posts(gap)); },
@@ -353,6 +353,7 @@ std::vector<Case> make_cases() {
                                                        {"HelixStanding", {80, 60}},
                                                        {"HelixLying", {3, 20}},
                                                        {"TorusTiltedLittle", {2, 50}},
+                                                       {"TorusStandingLow", {0, 15}},
                                                        {"RingChain", {100, 100}},
                                                        {"Needles", {0, 60}},
                                                        {"ThousandNeedles", {0, 100}},
