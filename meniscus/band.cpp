@@ -26,7 +26,7 @@ struct Column {
   std::uint32_t rank;
   glm::dvec2 origin;
   Foot foot;
-  double free = 0;       // as far as is known, no other foot is nearer
+  double free = 0;                                       // as far as is known, no other foot is nearer
   double end = std::numeric_limits<double>::infinity();  // distance at which it meets a crease, and the sine of
   double sine = 1;                                       // the angle between the two
 };

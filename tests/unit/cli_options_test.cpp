@@ -33,7 +33,8 @@ TEST(RenderOptions, FileNameAloneIsEnough) {
 
 TEST(RenderOptions, EachOptionIsTaken) {
   const RenderOptions o = parse(
-      "a.glb -o out.exr --device llvmpipe --meniscus paper --meniscus-tolerance 2.5 --photons 1e6 --passes 7 --radius 2.5e-4 --diffuse-bounces "
+      "a.glb -o out.exr --device llvmpipe --meniscus paper --meniscus-tolerance 2.5 --photons 1e6 --passes 7 --radius "
+      "2.5e-4 --diffuse-bounces "
       "0 "
       "--specular-bounces 5 --seed 4294967295 --map-scale global=0,targeted=2.5 --resolution 320x200 --crop "
       "10,20,320,200 --camera Top "
@@ -95,10 +96,10 @@ INSTANTIATE_TEST_SUITE_P(
                       "--crop 1,2,3", "--crop 5,0,5,9", "--crop -1,0,5,9", "--crop 0,0,9,9 --resolution 8x9",
                       "--crop 0,0,8,10 --resolution 8x9", "--map-scale targeted", "--map-scale sun=1",
                       "--map-scale targeted=nan", "--map-scale targeted=-1", "--map-scale targeted=1,",
-                      "--tonemap filmic", "--meniscus flat", "--meniscus-tolerance 0", "--exposure nan", "--exposure bright",
-                      "--aov depth,colour", "--diffuse-bounces -1", "--quiet --json-progress", "--integrator path",
-                      "--quality best", "--time 3", "--output a", "--output ./b/../a", "--preview a",
-                      "--preview p.png --output ./p.png", "--stats p --preview p"));
+                      "--tonemap filmic", "--meniscus flat", "--meniscus-tolerance 0", "--exposure nan",
+                      "--exposure bright", "--aov depth,colour", "--diffuse-bounces -1", "--quiet --json-progress",
+                      "--integrator path", "--quality best", "--time 3", "--output a", "--output ./b/../a",
+                      "--preview a", "--preview p.png --output ./p.png", "--stats p --preview p"));
 
 TEST(RenderOptions, SceneIsNeeded) { EXPECT_THROW(parse("--passes 3"), CLI::RequiredError); }
 
