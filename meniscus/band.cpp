@@ -26,7 +26,6 @@ struct Column {
   std::uint32_t rank;
   glm::dvec2 origin;
   Foot foot;
-  double free = 0;                                       // as far as is known, no other foot is nearer
   double end = std::numeric_limits<double>::infinity();  // distance at which it meets a crease, and the sine of
   double sine = 1;                                       // the angle between the two
 };
@@ -56,7 +55,7 @@ void add_columns(std::vector<Column>& columns, const ContactLine& line, std::siz
   const double turn = turn_between(node.before.direction, node.after.direction);
   if (!node.joint || turn >= 0) {
     foot.from = foot.to = &node.contact, foot.direction = node.contact.direction;
-    columns.push_back({0, origin, foot, node.free});
+    columns.push_back({0, origin, foot});
     return;
   }
   foot.from = &node.before, foot.to = &node.after, foot.fan = -turn;
@@ -196,7 +195,7 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
         const glm::dvec2 x = column.origin + d * column.foot.direction;
         if (patch.box().distance(glm::dvec3(x, 0)) > 0) break;
         constexpr double kNearer = 1 - 1e-6;
-        if (d > column.free && field.any_foot(x, kNearer * d).exists()) {  // the column ends: another foot is nearer
+        if (field.any_foot(x, kNearer * d).exists()) {  // the column ends: another foot is nearer
           if (own > kCreaseReach * lines[l].sweep) break;
           const BandPoint end = end_on_crease(field, lines, column.origin, column.foot, d);
           column.end = end.foot.distance, column.sine = sine_to_crease(end);
@@ -218,17 +217,18 @@ std::vector<BandPoint> sweep(const std::vector<ContactLine>& lines, const std::v
     if (!patch.covers(p.x) || patch.border_within(p.x, 0.5 * gradings[p.foot.line].spacing(p.foot.distance))) return;
     if (spacing.claim(p.x, radius)) of_line[p.foot.line].push_back(p);
   };
-  constexpr double kApart = 0.7, kApartOnCrease = 0.5;  // of the spacing
+  constexpr double kApart = 0.5, kApartBeyond = 0.7;  // of the spacing
   std::stable_sort(creases.begin(), creases.end(),
                    [](const BandPoint& a, const BandPoint& b) { return a.foot.distance < b.foot.distance; });
-  for (const BandPoint& p : creases) claim(p, kApartOnCrease * gradings[p.foot.line].spacing(p.foot.distance));
+  for (const BandPoint& p : creases) claim(p, kApart * gradings[p.foot.line].spacing(p.foot.distance));
   for (const Candidate& c : candidates) {
     const Column& column = columns[c.column];
     const double size = gradings[c.line].spacing(c.distance);
-    if (column.sine * (column.end - c.distance) < kApartOnCrease * size) continue;  // too near to the crease
+    if (column.sine * (column.end - c.distance) < kApart * size) continue;  // too near to the crease
     Foot foot = column.foot;
     foot.distance = c.distance;
-    claim({column.origin + c.distance * foot.direction, foot, {}}, kApart * size);
+    const bool beyond = c.distance > lines[c.line].sweep;
+    claim({column.origin + c.distance * foot.direction, foot, {}}, (beyond ? kApartBeyond : kApart) * size);
   }
   std::vector<BandPoint> result;
   for (const std::vector<BandPoint>& points : of_line) result.insert(result.end(), points.begin(), points.end());

@@ -346,13 +346,23 @@ std::vector<Case> make_cases() {
       },
       {1, 1, 1, 1, 0, {"solid 0' is open: which side"}})
       .ill = true;
-  const std::vector<std::pair<std::string, Held>> held{
-      {"PostTilted60", {45, 0}},      {"PostTilted75", {65, 0}},     {"PostTilted75NonWetting", {75, 0}},
-      {"CubeOnCorner", {0, 65}},      {"HelixStanding", {80, 60}},   {"HelixLying", {3, 20}},
-      {"TorusTiltedLittle", {2, 50}}, {"TorusStandingLow", {0, 15}}, {"RingChain", {100, 100}},
-      {"Needles", {0, 60}},           {"ThousandNeedles", {0, 100}}, {"PaperClip", {100, 5}},
-      {"PaperClipBent", {80, 70}},    {"Hair", {100, 75}},           {"TrayOfAll", {100, 0}},
-      {"SheetOfSolidAcross", {0, 15}}};
+  const std::vector<std::pair<std::string, Held>> held{{"PostTilted60", {45, 0}},
+                                                       {"PostTilted75", {65, 0}},
+                                                       {"PostTilted75NonWetting", {75, 0}},
+                                                       {"CubeOnCorner", {0, 75}},
+                                                       {"HelixStanding", {80, 60}},
+                                                       {"HelixLying", {3, 20}},
+                                                       {"TorusTiltedLittle", {10, 60}},
+                                                       {"TorusStandingLow", {0, 15}},
+                                                       {"RingChain", {100, 100}},
+                                                       {"Teapot", {0, 20}},
+                                                       {"Needles", {0, 60}},
+                                                       {"ThousandNeedles", {0, 100}},
+                                                       {"PaperClip", {100, 5}},
+                                                       {"PaperClipBent", {80, 70}},
+                                                       {"Hair", {100, 75}},
+                                                       {"TrayOfAll", {100, 0}},
+                                                       {"SheetOfSolidAcross", {0, 15}}};
   for (const auto& [name, share] : held) {
     for (Case& c : result)
       if (c.name == name) c.held = share;
