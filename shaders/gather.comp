@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Irradiance at each pixel's visible point from the photons of each map: sum of flux K(q2) / (product of the disc's half-widths), over the
+// Irradiance at each pixel's visible point from the photons of the targeted and the caustic map, or of the global one: sum of flux K(q2) / (product of the disc's half-widths), over the
 // discs that hold the point.
 #include "fetch.glsl"
 #include "shared/geometry.h"
@@ -12,10 +12,11 @@ FETCH_PAIRS(1, cells)
 layout(set = 0, binding = 2, std430) writeonly buffer Samples { PixelSample samples[]; };
 layout(set = 0, binding = 3, std430) buffer Counters { uint counters[]; };
 FETCH_WORDS(4, listed)
+layout(constant_id = 0) const bool GLOBAL = false;  // the photons are the global map's
 FETCH_TABLE(5, samples)  // the same as 2: loads from storage buffers are dear on lavapipe
 
 // Texels of a PixelSample, and of what is read of it.
-const uint SAMPLE_TEXELS = 8u, POSITION = 0u, NORMAL = 1u, ALBEDO_TRIANGLE = 2u, EMITTED_LIT = 4u, TARGETED = 6u, CAUSTIC = 7u;
+const uint SAMPLE_TEXELS = 9u, POSITION = 0u, NORMAL = 1u, ALBEDO_TRIANGLE = 2u, EMITTED_LIT = 4u, TARGETED = 6u, CAUSTIC = 7u, OF_GLOBAL = 8u;
 
 // Pixels that run together lie in blocks of 8 x 8, and in those in blocks of 4 x 2: they read the same cells.
 uint pixel_of(uint invocation) {
@@ -33,8 +34,8 @@ void main() {
     return;
   vec3 position = uintBitsToFloat(FETCH(samples, texel + POSITION).xyz);
   vec3 normal = uintBitsToFloat(FETCH(samples, texel + NORMAL).xyz);
-  vec4 targeted = uintBitsToFloat(FETCH(samples, texel + TARGETED));
-  vec4 caustic = uintBitsToFloat(FETCH(samples, texel + CAUSTIC));
+  vec4 targeted = GLOBAL ? vec4(0.0) : uintBitsToFloat(FETCH(samples, texel + TARGETED));
+  vec4 other = uintBitsToFloat(FETCH(samples, texel + (GLOBAL ? OF_GLOBAL : CAUSTIC)));
   uint seen = 0u;  // candidates so far, over all cells: those of this round are [first_candidate, first_candidate + GATHER_ROUND)
   uint round_end = push.first_candidate + GATHER_ROUND;
   for (uint level = 0u; level < push.levels; ++level) {
@@ -52,15 +53,20 @@ void main() {
       if (disc_holds(offset, normal, q2, beta, facing, density) && photon < LISTED_TWICE) {
         vec3 flux = uintBitsToFloat(uvec3(place.w & 0x7FFFFFFFu, along.w, across.w));
         vec4 found = vec4(flux * (disc_kernel(q2) * density), 1.0);
-        if ((place.w >> 31u) == MAP_TARGETED) targeted += found;
-        else caustic += found;
+        if (!GLOBAL && (place.w >> 31u) == MAP_TARGETED) targeted += found;
+        else other += found;
       }
     }
     seen += range.y - range.x;
   }
   atomicMax(counters[COUNTER_MOST_CANDIDATES], seen);
+  if (GLOBAL) {
+    samples[i].global = other.xyz;
+    samples[i].global_count = other.w;
+    return;
+  }
   samples[i].targeted = targeted.xyz;
   samples[i].targeted_count = targeted.w;
-  samples[i].caustic = caustic.xyz;
-  samples[i].caustic_count = caustic.w;
+  samples[i].caustic = other.xyz;
+  samples[i].caustic_count = other.w;
 }

@@ -60,7 +60,7 @@ float widen(inout float reach, float image) {
   return 0.5 * min(ratio, 1.0);
 }
 
-float with_map(float flux, uint map) { return uintBitsToFloat(floatBitsToUint(flux) | (map << 31u)); }
+float with_map(float flux, uint map) { return uintBitsToFloat(floatBitsToUint(flux) | (map == MAP_CAUSTIC ? 0x80000000u : 0u)); }
 
 // The photon's footprint on the surface it is stored on.
 void store(uint slot, Path path, float reach, vec3 position, vec3 side, uint map) {
@@ -112,12 +112,12 @@ void main() {
     random.stream += push.sample_index;
     path = camera_path(vec2(x, y) + inside);
     s = PixelSample(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), END_CUT, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0,
-                    vec3(0.0), 0.0);
+                    vec3(0.0), 0.0, vec3(0.0), 0.0);
   } else {
     uint b = 0u;
     while (b + 1u < push.beams && item >= FETCH(beams, BEAM_TEXELS * (b + 1u)).w) b += 1u;
     beam = fetch_beam(b);
-    random = RandomKey(push.seed, push.pass, STREAM_BEAM + b, start_index(b, item - beam.first, beam.count, beam.order_bits));
+    random = RandomKey(push.seed, push.pass, push.stream + b, start_index(b, item - beam.first, beam.count, beam.order_bits));
     discs[slot].alpha = vec3(0.0);
     uvec2 start = start_bits(random, beam.start, beam.extent);
     vec2 place = vec2(unit_float(start.x), unit_float(start.y));
@@ -141,7 +141,9 @@ void main() {
   float entered = dot(path.throughput, vec3(1.0 / 3.0));
   bool on_targets = asking;
 
-  uint met = 0u;  // surfaces so far
+  uint met = 0u;        // specular surfaces since the start, or since the last diffuse one
+  uint scattered = 0u;  // diffuse surfaces so far
+  uint dimension = DIM_FIRST_BOUNCE;
   LightSample light;
   vec3 unshadowed;
   while (end == END_CUT && met <= push.specular_bounces) {
@@ -188,7 +190,7 @@ void main() {
         entered = dot(path.throughput, vec3(1.0 / 3.0));
       }
     } else if (missed) {
-      end = met == 0u && !camera ? END_DROPPED : END_ESCAPED;
+      end = met + scattered == 0u && !camera ? END_DROPPED : END_ESCAPED;
     } else {
       absorb(path, hit.t);
       point = surface_point(hit.triangle, hit.u, hit.v);
@@ -200,13 +202,14 @@ void main() {
     Surface surface = fetch_surface(point.material);
     bool front = dot(point.geometric, path.direction) < 0.0;
     vec3 side = front ? point.geometric : -point.geometric;
+    bool first = met + scattered == 0u;
     if (camera) {
-      if (met == 0u) {
+      if (first) {
         s.depth = hit.t;
         s.meniscus = float(point.meniscus);
       }
       if (front || surface.double_sided != 0u) s.emitted += path.throughput * path.radiance_scale * surface.emission;
-    } else if (met == 0u && !on_targets) {
+    } else if (first && !on_targets && map != MAP_GLOBAL) {
       // What the light sees first may be no target.
       if (surface.specular == 0.0) {
         end = END_DROPPED;
@@ -214,14 +217,19 @@ void main() {
       }
       map = point.meniscus != 0u ? MAP_TARGETED : MAP_CAUSTIC;
     }
-    uint dimension = DIM_FIRST_BOUNCE + BOUNCE_DIMENSIONS * met;
-    if (random_unit(random, dimension) < surface.specular) {
-      float choice = random_unit(random, dimension + 1u);
-      uint way = camera ? branch_way(push.branch, s.split, choice) : WAY_BY_ROULETTE;
+    bool specular = random_unit(random, dimension) < surface.specular;
+    float choice = random_unit(random, dimension + 1u);
+    dimension += BOUNCE_DIMENSIONS;
+    if (specular) {
+      if (HAS_SCATTERING && first && map == MAP_GLOBAL && push.keeps_specular == 0u) {
+        end = END_DROPPED;  // beams towards the targets have its light
+        break;
+      }
+      uint way = camera && scattered == 0u ? branch_way(push.branch, s.split, choice) : WAY_BY_ROULETTE;
       if (way != WAY_BY_ROULETTE) choice = way == WAY_REFLECTED ? 0.0 : 0.99999994;
       if (met < push.specular_bounces) {
         float reflectance = scatter_specular(path, point, surface, choice);
-        if (camera && reflectance > 0.0 && reflectance < 1.0) {
+        if (camera && scattered == 0u && reflectance > 0.0 && reflectance < 1.0) {
           path.throughput *= way_weight(push.branch, s.split, way, reflectance);
           if (way == WAY_REFLECTED) s.emitted = vec3(0.0);
           s.split = next_split(push.branch, s.split, way);
@@ -230,9 +238,26 @@ void main() {
       met += 1u;
       continue;
     }
+    if (HAS_SCATTERING && push.scatterings > 0u && (camera || !first || map == MAP_GLOBAL)) {
+      uint numbers = DIM_FIRST_SCATTERING + SCATTERING_DIMENSIONS * scattered;
+      float stops = scattered == push.scatterings ? 1.0 : camera || scattered == 0u ? 0.0 : storing_probability(surface.albedo);
+      if (random_unit(random, numbers) >= stops) {
+        vec3 normal = camera && dot(point.shading, side) > 0.0 ? point.shading : side;
+        path.throughput *= surface.albedo / (1.0 - stops);
+        bool goes_on = scatter_diffusely(path, point, side, normal, vec2(random_unit(random, numbers + 1u), random_unit(random, numbers + 2u)));
+        if (!goes_on || all(equal(surface.albedo, vec3(0.0)))) {
+          end = END_ABSORBED;
+          break;
+        }
+        scattered += 1u;
+        met = 0u;
+        continue;
+      }
+      path.throughput /= stops;
+    }
     if (camera) {
       // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread to smooth edges.
-      vec3 shift = (0.5 - inside.x) * path.differential.place0 + (0.5 - inside.y) * path.differential.place1;
+      vec3 shift = scattered > 0u ? vec3(0.0) : (0.5 - inside.x) * path.differential.place0 + (0.5 - inside.y) * path.differential.place1;
       float most = uintBitsToFloat(FETCH(view, 5u).z);
       s.position = point.position + (HAS_DIFFERENTIALS && dot(shift, shift) < most * most ? shift : vec3(0.0));
       s.normal = side;
@@ -243,13 +268,14 @@ void main() {
       if (!asking) break;
     } else {
       // A photon that its target scatters diffusely at once has met no specular surface.
-      end = met > 0u ? point.triangle : END_DROPPED;
-      if (met > 0u) store(slot, path, beam.reach, point.position, side, map);
+      end = first ? END_DROPPED : point.triangle;
+      if (!first) store(slot, path, beam.reach, point.position, side, map);
     }
   }
 
   if (camera) {
     if (end == END_ESCAPED) s.triangle = END_ESCAPED;
+    if (HAS_SCATTERING && push.scatterings > 0u) s.emitted = vec3(0.0);  // the paths that end at the first diffuse surface have it
     if (branch_ends_empty(push.branch, s.split)) {
       s.triangle = END_DROPPED;
       s.weight = s.emitted = vec3(0.0);
@@ -259,6 +285,7 @@ void main() {
     if (s.lit != 0u) {
       s.targeted = samples[slot].targeted, s.targeted_count = samples[slot].targeted_count;
       s.caustic = samples[slot].caustic, s.caustic_count = samples[slot].caustic_count;
+      s.global = samples[slot].global, s.global_count = samples[slot].global_count;
     }
     samples[slot] = s;
   } else {

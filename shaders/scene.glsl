@@ -24,6 +24,7 @@ layout(constant_id = 7) const bool HAS_ABSORPTION = true;
 layout(constant_id = 8) const float SCENE_RADIUS = 1.0;
 layout(constant_id = 9) const bool HAS_DIFFERENTIALS = true;  // paths carry the derivatives that shape photons' discs
 layout(constant_id = 10) const bool HAS_EMISSION = true;  // photons start on the lights
+layout(constant_id = 11) const bool HAS_SCATTERING = true;  // paths go on from diffuse surfaces
 
 Surface fetch_surface(uint i) {
   uvec4 a = FETCH(surfaces, 4u * i), b = FETCH(surfaces, 4u * i + 1u), c = FETCH(surfaces, 4u * i + 2u), d = FETCH(surfaces, 4u * i + 3u);

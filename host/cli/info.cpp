@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/cli/commands.h"
+#include "host/cli/render_options.h"
 #include "host/render/contacts.h"
 #include "host/render/plan.h"
 #include "host/scene/scene.h"
@@ -109,7 +110,8 @@ Json cameras_of(const Scene& scene) {
 
 Json plan_of(const World& world) {
   Json list = Json::array();
-  for (const PlanEntry& e : make_plan(world)) list.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
+  for (const PlanEntry& e : make_plan(world, RenderOptions{}.diffuse_bounces))
+    list.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
   return list;
 }
 

@@ -26,6 +26,8 @@ namespace meniscal {
 namespace {
 
 std::unique_ptr<Backend> make_backend(const std::string& device, const World& world, const RenderSettings& settings) {
+  if (settings.integrator == Integrator::path && device != "cpu")
+    throw Error(ExitCode::usage, "--integrator path: the reference path alone traces paths; add --device cpu");
   if (device == "cpu") return std::make_unique<reference::ReferenceBackend>(world, settings);
   gpu::Device opened = gpu::Device::open(device);
   passes::choose_by_measurement(opened);
@@ -52,8 +54,6 @@ void render(const RenderOptions& options) {
   progress.clear();
   for (const std::string& w : scene.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   for (const std::string& w : world.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
-  if (options.diffuse_bounces > 0)
-    fmt::print(stderr, "meniscal: warning: interreflection is not computed yet; --diffuse-bounces is taken as 0\n");
   RenderSettings settings = choose_settings(options, scene, world);
 
   const std::unique_ptr<Backend> backend = make_backend(options.device, world, settings);

@@ -118,10 +118,12 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       ->type_name("DEVICE")
       ->capture_default_str();
   add_meniscus_options(command, options.meniscus, options.meniscus_tolerance);
-  add_choice<Integrator>(command, "--integrator", options.integrator,
-                         {{"targeted", Integrator::targeted}, {"ordinary", Integrator::ordinary}},
-                         "Photons from what the camera sees back to the lights, or ordinary photon mapping from the "
-                         "lights, to compare with")
+  add_choice<Integrator>(
+      command, "--integrator", options.integrator,
+      {{"targeted", Integrator::targeted}, {"ordinary", Integrator::ordinary}, {"path", Integrator::path}},
+      "Photons from what the camera sees back to the lights; to compare with: ordinary photon "
+      "mapping from the lights, or path tracing (with --device cpu; it sees caustics of area lights "
+      "alone)")
       ->default_str("targeted");
   add_choice<Quality>(command, "--quality", options.quality,
                       {{"draft", Quality::draft}, {"preview", Quality::preview}, {"final", Quality::final}},

@@ -55,7 +55,7 @@ struct RenderOptions {
   std::optional<std::uint32_t> samples;  // camera rays a pixel and pass; not given: the quality's
   std::optional<PassRange> pass_range;
   std::optional<double> radius;  // of round footprints in pass 0, metres; not given: each photon has its own
-  std::uint32_t diffuse_bounces = 0, specular_bounces = 16;
+  std::uint32_t diffuse_bounces = 4, specular_bounces = 16;
   std::uint32_t seed = 0;
   MapScale map_scale;
 

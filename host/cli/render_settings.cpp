@@ -38,10 +38,25 @@ void choose_size(RenderSettings& settings, const RenderOptions& options) {
                                              settings.crop.y1, settings.width, settings.height));
 }
 
+// Interreflection is smooth: discs hold some fifty photons where these are spread over the scene evenly. Fewer where
+// they are gathered from, which evens out noise, but not what discs lose beyond the edges of surfaces.
+void set_global(RenderSettings& settings, const RenderOptions& options, const World& world) {
+  settings.final_gathering = settings.diffuse_bounces > 0 && options.quality == Quality::final;
+  settings.global.scatterings = settings.diffuse_bounces - (settings.final_gathering ? 1 : 0);
+  if (settings.global.scatterings == 0) return;
+  const std::uint32_t photons = std::max(options.photons_per_pass(settings.crop.pixels()) / 4, 1000u);
+  settings.global.beams = global_beams(world, photons, settings.integrator == Integrator::ordinary);
+  if (settings.global.beams.empty()) return;
+  const double held = settings.final_gathering ? 20 : 50;
+  const double radius = world.radius * std::sqrt(held / settings.global.count());
+  settings.global.discs = {radius, radius};
+}
+
 void set_beams(RenderSettings& settings, const RenderOptions& options, const World& world,
                std::vector<shared::Beam> beams) {
-  settings.beams = std::move(beams);
-  settings.discs = options.radius ? Discs{*options.radius, *options.radius} : default_discs(settings, world.radius);
+  settings.caustics.beams = std::move(beams);
+  settings.caustics.discs =
+      options.radius ? Discs{*options.radius, *options.radius} : default_discs(settings, world.radius);
 }
 
 }  // namespace
@@ -51,20 +66,23 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.seed = options.seed;
   settings.integrator = options.integrator;
   settings.specular_bounces = options.specular_bounces;
+  settings.diffuse_bounces = options.diffuse_bounces;
   settings.camera = find_camera(scene, options.camera);
   choose_size(settings, options);
   settings.footprint = pixel_footprint(world, settings);
   const std::uint32_t photons = options.photons_per_pass(settings.crop.pixels());
   // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.
   settings.samples = options.samples.value_or(photons > settings.photons_at_once ? 1 : preset(options.quality).samples);
+  if (options.integrator == Integrator::path) return settings;
   set_beams(settings, options, world,
             options.integrator == Integrator::ordinary ? light_beams(world, photons)
                                                        : make_beams(world, default_starts(world), photons));
+  set_global(settings, options, world);
   return settings;
 }
 
 void focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend) {
-  if (settings.integrator == Integrator::ordinary) return;
+  if (settings.integrator != Integrator::targeted) return;
   const Pilot pilot = look_ahead(backend, world, settings);
   settings.split = pilot.split;
   set_beams(settings, options, world,

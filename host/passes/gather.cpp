@@ -21,9 +21,9 @@ std::uint32_t invocations(const PixelTile& tile) {
 }  // namespace
 
 GatherPass::GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
-                       const std::vector<PixelTile>& tiles, bool texel)
+                       const std::vector<PixelTile>& tiles, bool global, bool texel)
     : counters_(device, "gather counters", shared::COUNTERS * 4),
-      pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush)),
+      pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush), {global}),
       tiles_(tiles) {
   for (const PixelTile& tile : tiles)
     buffers_.push_back(pass_.bind({{0, photons.discs, gpu::Format::rgba32ui},

@@ -8,9 +8,9 @@ namespace meniscal::passes {
 
 class GatherPass {
  public:
-  // `tiles` must outlive the pass, which adds to their samples.
+  // `tiles` must outlive the pass, which adds to their samples. `global`: the photons are the global map's.
   GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
-             const std::vector<PixelTile>& tiles, bool texel);
+             const std::vector<PixelTile>& tiles, bool global, bool texel);
   // Submits as many rounds as the pixel with the most candidates needs, after what is recorded already.
   void run(gpu::Commands& commands, const Grid& grid);
 

@@ -2,6 +2,7 @@
 
 #include "shaders/shaders.h"
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/random.h"
 
 namespace meniscal::passes {
 namespace {
@@ -16,7 +17,9 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
           shader("paths", tables.texel),
           layout,
           sizeof(shared::PathPush),
-          tables.constants(!settings.discs.round(), settings.integrator == Integrator::ordinary)};
+          tables.constants({.differentials = !settings.caustics.discs.round(),
+                            .emission = settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0,
+                            .scattering = settings.diffuse_bounces > 0})};
 }
 
 shared::CameraView make_view(const RenderSettings& settings, std::uint32_t pass) {
@@ -51,28 +54,36 @@ shared::PathPush make_push(const World& world, const RenderSettings& settings, s
 }  // namespace
 
 PathsPass::PathsPass(const gpu::Device& device, const World& world, const SceneTables& tables,
-                     const PhotonBuffers& photons, const std::vector<PixelTile>& tiles, const RenderSettings& settings)
+                     const PhotonBuffers& caustics, const PhotonBuffers* global, const std::vector<PixelTile>& tiles,
+                     const RenderSettings& settings)
     : world_(world),
       tiles_(tiles),
       beams_(device, "beams", most_beams(world) * sizeof(shared::Beam)),
+      global_beams_(device, "global beams", (global ? most_beams(world) : 0) * sizeof(shared::Beam)),
       view_(device, "camera", sizeof(shared::CameraView)),
       pass_(make_pass(device, tables, settings)) {
-  for (const PixelTile& tile : tiles) {
+  const auto bind = [&](const PhotonBuffers& photons, const gpu::Buffer& beams, const PixelTile& tile) {
     std::vector<gpu::Bound> bound = tables.bound();
     bound.push_back({BIND_ENDS, photons.ends});
     bound.push_back({BIND_DISCS, photons.discs});
     bound.push_back({BIND_SAMPLES, tile.samples});
-    bound.push_back({BIND_BEAMS, beams_, gpu::Format::rgba32ui});
+    bound.push_back({BIND_BEAMS, beams, gpu::Format::rgba32ui});
     bound.push_back({BIND_VIEW, view_, gpu::Format::rgba32ui});
-    buffers_.push_back(pass_.bind(bound));
-  }
+    return pass_.bind(bound);
+  };
+  for (const PixelTile& tile : tiles) buffers_.push_back(bind(caustics, beams_, tile));
+  if (global) global_buffers_ = bind(*global, global_beams_, tiles.front());
 }
 
-void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass,
+void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& settings, bool global, std::uint32_t pass,
                               std::uint32_t first_photon, std::uint32_t photons, const Grid& grid) {
-  beams_.upload(settings.beams);
+  const PhotonSet& set = global ? settings.global : settings.caustics;
+  (global ? global_beams_ : beams_).upload(set.beams);
   shared::PathPush push = make_push(world_, settings, shared::PATHS_PHOTON, pass);
-  push.beams = static_cast<std::uint32_t>(settings.beams.size());
+  push.beams = static_cast<std::uint32_t>(set.beams.size());
+  push.stream = global ? shared::STREAM_GLOBAL : shared::STREAM_BEAM;
+  push.scatterings = set.scatterings;
+  push.keeps_specular = settings.integrator == Integrator::ordinary ? 1 : 0;
   push.buffer_first = first_photon;
   push.shrink = static_cast<float>(grid.discs.shrink);
   push.narrowest = static_cast<float>(grid.discs.narrowest);
@@ -80,7 +91,7 @@ void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& set
   photon_batch_.run(commands, photons, [&](std::uint32_t first, std::uint32_t count) {
     push.first = first_photon + first;
     push.count = count;
-    commands.dispatch(pass_, buffers_.front(), push, groups_of_64(count), "photons");
+    commands.dispatch(pass_, global ? *global_buffers_ : buffers_.front(), push, groups_of_64(count), "photons");
   });
 }
 
@@ -90,6 +101,7 @@ void PathsPass::trace_camera(gpu::Commands& commands, const RenderSettings& sett
   shared::PathPush push = make_push(world_, settings, shared::PATHS_CAMERA, pass);
   push.sample_index = view.sample;
   push.branch = view.branch;
+  push.scatterings = view.bounced ? 1 : 0;
   push.keeps = keeps_irradiance(settings, view) ? 1 : 0;
   for (std::size_t t = 0; t < tiles_.size() && tiles_[t].first < settings.crop.pixels(); ++t) {
     push.buffer_first = tiles_[t].first;

@@ -94,10 +94,10 @@ void SceneTables::collect_counters() {
   counters.upload(std::vector<std::uint32_t>(shared::COUNTERS, 0));
 }
 
-std::vector<std::uint32_t> SceneTables::constants(bool differentials, bool emission) const {
+std::vector<std::uint32_t> SceneTables::constants(const PathFeatures& features) const {
   std::vector<std::uint32_t> constants = scene_constants;
-  constants.push_back(differentials);
-  constants.push_back(emission);
+  for (const bool feature : {features.differentials, features.emission, features.scattering})
+    constants.push_back(feature);
   return constants;
 }
 

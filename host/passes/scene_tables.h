@@ -6,9 +6,16 @@
 
 namespace meniscal::passes {
 
+// What paths do, beside what the scene has.
+struct PathFeatures {
+  bool differentials = false;  // they carry them
+  bool emission = false;       // photons start on the lights
+  bool scattering = false;     // they go on from diffuse surfaces
+};
+
 struct SceneTables {
   gpu::Buffer scene, normals, surfaces, lights, cdf, targets, counters;
-  // Specialisation constants of scene.glsl in order of their ids, all but the last two.
+  // Specialisation constants of scene.glsl in order of their ids, without those of PathFeatures.
   std::vector<std::uint32_t> scene_constants;
   bool texel;  // tables are read through texel buffers: how shaders are to be compiled
 
@@ -20,8 +27,7 @@ struct SceneTables {
   void collect_counters();
   std::array<std::uint64_t, shared::COUNTERS> sums{};  // by shared::COUNTER_*
 
-  // `differentials`: paths carry them; `emission`: photons start on the lights.
-  std::vector<std::uint32_t> constants(bool differentials, bool emission) const;
+  std::vector<std::uint32_t> constants(const PathFeatures& features) const;
   std::vector<gpu::Binding> layout() const;  // of bindings 0 to BIND_OUTPUT - 1
   std::vector<gpu::Bound> bound() const;
 };

@@ -2,19 +2,21 @@
 
 #include "host/reference/camera.h"
 #include "host/reference/density.h"
+#include "host/reference/path_tracing.h"
 
 namespace meniscal::reference {
 
-std::vector<Photon> ReferenceBackend::photons(std::uint32_t pass) const {
+std::vector<Photon> ReferenceBackend::photons(std::uint32_t pass, bool global) const {
+  const std::uint32_t count = (global ? settings_.global : settings_.caustics).count();
   std::vector<Photon> photons;
-  photons.reserve(settings_.photons());
-  for (std::uint32_t i = 0; i < settings_.photons(); ++i) photons.push_back(trace_photon(tracer_, settings_, pass, i));
+  photons.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) photons.push_back(trace_photon(tracer_, settings_, pass, i, {}, global));
   return photons;
 }
 
 std::vector<PhotonEnd> ReferenceBackend::trace_photons(std::uint32_t pass) {
   std::vector<PhotonEnd> ends;
-  for (const Photon& p : photons(pass)) ends.push_back({p.map, p.end, p.position, p.flux});
+  for (const Photon& p : photons(pass, false)) ends.push_back({p.map, p.end, p.position, p.flux});
   return ends;
 }
 
@@ -24,7 +26,9 @@ std::vector<shared::PixelSample> ReferenceBackend::trace_camera(std::uint32_t pa
   std::vector<shared::PixelSample> samples;
   for (std::uint32_t y = crop.y0; y < crop.y1; ++y)
     for (std::uint32_t x = crop.x0; x < crop.x1; ++x)
-      samples.push_back(trace_camera_path(tracer_, settings_, axes, pass, view, x, y));
+      samples.push_back(settings_.integrator == Integrator::path
+                            ? trace_whole_path(tracer_, settings_, axes, pass, view.sample, x, y)
+                            : trace_camera_path(tracer_, settings_, axes, pass, view, x, y));
   return samples;
 }
 
@@ -34,13 +38,15 @@ Backend::Statistics ReferenceBackend::statistics() const {
 
 Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
   Tallies tallies;
-  const std::vector<Photon> started = photons(pass);
   for (Tally& t : tallies) t.flux_landed.resize(world_.surfaces.size());
-  for (const Photon& p : started)
-    tallies[p.map].count(mean_of(p.entered), mean_of(p.flux), p.end,
-                         [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
+  const std::vector<Photon> caustics = photons(pass, false), global = photons(pass, true);
+  for (const std::vector<Photon>* started : {&caustics, &global})
+    for (const Photon& p : *started)
+      tallies[p.map].count(mean_of(p.entered), mean_of(p.flux), p.end,
+                           [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
 
-  const PhotonMap map(started, pass_discs(settings_.discs, pass).widest);
+  const PhotonMap caustics_map(caustics, pass_discs(settings_.caustics.discs, pass).widest);
+  const PhotonMap global_map(global, pass_discs(settings_.global.discs, pass).widest);
   std::vector<shared::PixelSample> before;
   for (const View& view : views_of(settings_)) {
     std::vector<shared::PixelSample> samples = trace_camera(pass, view);
@@ -51,13 +57,19 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
         sample.lit = 1;
         sample.targeted = before[i].targeted, sample.targeted_count = before[i].targeted_count;
         sample.caustic = before[i].caustic, sample.caustic_count = before[i].caustic_count;
+        sample.global = before[i].global, sample.global_count = before[i].global_count;
         continue;
       }
-      const auto [targeted, caustic] = map.estimate(glm::dvec3(sample.position), glm::dvec3(sample.normal));
-      sample.targeted = glm::vec3(targeted.irradiance);
-      sample.targeted_count = static_cast<float>(targeted.photons);
-      sample.caustic = glm::vec3(caustic.irradiance);
-      sample.caustic_count = static_cast<float>(caustic.photons);
+      const glm::dvec3 position(sample.position), normal(sample.normal);
+      const auto found = caustics_map.estimate(position, normal);
+      const auto set = [](glm::vec3& irradiance, float& count, const Density& density) {
+        irradiance = glm::vec3(density.irradiance);
+        count = static_cast<float>(density.photons);
+      };
+      set(sample.targeted, sample.targeted_count, found[shared::MAP_TARGETED]);
+      set(sample.caustic, sample.caustic_count, found[shared::MAP_CAUSTIC]);
+      if (shows_global(settings_, view))
+        set(sample.global, sample.global_count, global_map.estimate(position, normal)[shared::MAP_GLOBAL]);
     }
     take(samples, view);
     before = std::move(samples);

@@ -18,7 +18,7 @@ class ReferenceBackend final : public Backend {
   Statistics statistics() const override;
 
  private:
-  std::vector<Photon> photons(std::uint32_t pass) const;
+  std::vector<Photon> photons(std::uint32_t pass, bool global) const;
 
   const World& world_;
   RenderSettings settings_;

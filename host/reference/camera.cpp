@@ -5,9 +5,7 @@
 #include <limits>
 
 namespace meniscal::reference {
-namespace {
 
-// `pixel`: from the image's upper left corner.
 Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const glm::dvec2& pixel) {
   const glm::dvec3 step0 = 2.0 / settings.width * axes.right, step1 = -2.0 / settings.height * axes.up;
   const glm::dvec3 offset = pixel.x * step0 - axes.right + pixel.y * step1 + axes.up;
@@ -36,8 +34,6 @@ glm::dvec3 direct_irradiance(const Tracer& tracer, const Hit& hit, const glm::dv
   return light.irradiance * cosine * glm::exp(-absorption * way);
 }
 
-}  // namespace
-
 shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings& settings, const CameraAxes& axes,
                                       std::uint32_t pass, const View& view, std::uint32_t x, std::uint32_t y) {
   const World& world = tracer.world();
@@ -50,7 +46,9 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
   shared::PixelSample sample{};
   sample.triangle = shared::END_CUT;
   glm::dvec3 emitted(0);
-  for (std::uint32_t bounce = 0; bounce <= settings.specular_bounces; ++bounce) {
+  const std::uint32_t scatterings = view.bounced ? 1 : 0;
+  std::uint32_t dimension = shared::DIM_FIRST_BOUNCE, scattered = 0;
+  for (std::uint32_t met = 0; met <= settings.specular_bounces;) {  // specular surfaces since the last diffuse one
     const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) {
       sample.triangle = shared::END_ESCAPED;
@@ -61,40 +59,57 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
     transfer(path.differential, path.ray.direction, hit->t, triangle.geometric);
     const shared::Surface& surface = world.surfaces[triangle.material];
     const bool front = glm::dot(triangle.geometric, path.ray.direction) < 0;
-    if (bounce == 0) {
+    if (met + scattered == 0) {
       sample.depth = static_cast<float>(hit->t);
       sample.meniscus = triangle.meniscus ? 1.0f : 0.0f;
     }
     const glm::dvec3 throughput = path.throughput * path.radiance_scale;
     if (front || surface.double_sided) emitted += throughput * glm::dvec3(surface.emission);
-    const std::uint32_t dimension = shared::DIM_FIRST_BOUNCE + shared::BOUNCE_DIMENSIONS * bounce;
-    if (double(shared::random_unit(key, dimension)) >= double(surface.specular)) {
-      const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
-      // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread.
-      glm::dvec3 shift = -inside.x * path.differential.place[0] - inside.y * path.differential.place[1];
-      if (settings.discs.round() || !(glm::length(shift) < most_shift(settings))) shift = glm::dvec3(0);
-      sample.position = glm::vec3(hit->point + shift);
-      sample.normal = glm::vec3(side);
-      sample.albedo = surface.albedo;
-      sample.triangle = hit->triangle;
-      sample.weight = glm::vec3(throughput * glm::dvec3(surface.albedo) * glm::one_over_pi<double>());
-      sample.direct =
-          glm::vec3(direct_irradiance(tracer, *hit, side, front ? hit->shading : -hit->shading, path.absorption, key));
-      break;
+    const bool specular = double(shared::random_unit(key, dimension)) < double(surface.specular);
+    const float choice = shared::random_unit(key, dimension + 1);
+    dimension += shared::BOUNCE_DIMENSIONS;
+    if (specular) {
+      if (met++ == settings.specular_bounces) break;
+      const std::uint32_t way =
+          scattered == 0 ? shared::branch_way(view.branch, sample.split, choice) : shared::WAY_BY_ROULETTE;
+      const double reflectance = scatter_specular(path, *hit, tracer,
+                                                  way == shared::WAY_REFLECTED ? 0
+                                                  : way == shared::WAY_THROUGH ? 0.99999994
+                                                                               : double(choice));
+      if (scattered == 0 && reflectance > 0 && reflectance < 1) {
+        path.throughput *= double(shared::way_weight(view.branch, sample.split, way, static_cast<float>(reflectance)));
+        if (way == shared::WAY_REFLECTED) emitted = glm::dvec3(0);
+        sample.split = shared::next_split(view.branch, sample.split, way);
+      }
+      continue;
     }
-    if (bounce == settings.specular_bounces) break;
-    const float random = shared::random_unit(key, dimension + 1);
-    const std::uint32_t way = shared::branch_way(view.branch, sample.split, random);
-    const double reflectance = scatter_specular(path, *hit, tracer,
-                                                way == shared::WAY_REFLECTED ? 0
-                                                : way == shared::WAY_THROUGH ? 0.99999994
-                                                                             : double(random));
-    if (reflectance > 0 && reflectance < 1) {
-      path.throughput *= double(shared::way_weight(view.branch, sample.split, way, static_cast<float>(reflectance)));
-      if (way == shared::WAY_REFLECTED) emitted = glm::dvec3(0);
-      sample.split = shared::next_split(view.branch, sample.split, way);
+    const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
+    const glm::dvec3 shading = front ? hit->shading : -hit->shading;
+    if (scattered < scatterings) {
+      const std::uint32_t numbers = shared::DIM_FIRST_SCATTERING + shared::SCATTERING_DIMENSIONS * scattered + 1;
+      path.throughput *= glm::dvec3(surface.albedo);
+      const bool goes_on =
+          scatter_diffusely(tracer, path, *hit, side, glm::dot(shading, side) > 0 ? shading : side,
+                            {double(shared::random_unit(key, numbers)), double(shared::random_unit(key, numbers + 1))});
+      if (!goes_on || surface.albedo == glm::vec3(0)) break;
+      ++scattered;
+      met = 0;
+      continue;
     }
+    // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread.
+    glm::dvec3 shift = -inside.x * path.differential.place[0] - inside.y * path.differential.place[1];
+    if (scattered > 0 || settings.caustics.discs.round() || !(glm::length(shift) < most_shift(settings)))
+      shift = glm::dvec3(0);
+    sample.position = glm::vec3(hit->point + shift);
+    sample.normal = glm::vec3(side);
+    sample.albedo = surface.albedo;
+    sample.triangle = hit->triangle;
+    sample.weight = glm::vec3(throughput * glm::dvec3(surface.albedo) * glm::one_over_pi<double>());
+    sample.direct = glm::vec3(direct_irradiance(tracer, *hit, side, shading, path.absorption, key));
+    break;
   }
+  // The paths that end at the first diffuse surface have it; what the next one sees of lights is direct light there.
+  if (view.bounced) emitted = glm::dvec3(0);
   sample.emitted = glm::vec3(emitted);
   if (shared::branch_ends_empty(view.branch, sample.split)) {
     sample.triangle = shared::END_DROPPED;

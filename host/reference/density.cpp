@@ -37,6 +37,7 @@ std::uint64_t PhotonMap::key(const glm::i64vec3& cell) {
 
 std::array<Density, shared::MAPS> PhotonMap::estimate(const glm::dvec3& position, const glm::dvec3& normal) const {
   std::array<Density, shared::MAPS> densities;
+  if (cells_.empty()) return densities;
   const auto cell = cells_.find(key(glm::i64vec3(glm::floor(position / cell_size_))));
   if (cell == cells_.end()) return densities;
   for (const Photon* p : cell->second) {

@@ -9,12 +9,6 @@ namespace {
 
 constexpr double pi = glm::pi<double>();
 
-// sine across the axis, turned by `turn` of a full circle, and cosine along it.
-glm::dvec3 around(const glm::dvec3& axis, double sine, double cosine, double turn) {
-  const auto [u, v] = tangents(axis);
-  return cosine * axis + sine * (std::cos(2 * pi * turn) * u + std::sin(2 * pi * turn) * v);
-}
-
 }  // namespace
 
 Emission emit(const Tracer& tracer, const glm::dvec2& place, const shared::RandomKey& key) {

@@ -1,5 +1,7 @@
 #include "host/reference/path.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <limits>
 
 #include "host/reference/optics.h"
@@ -57,6 +59,20 @@ double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double
   path.ray.origin = tracer.leave(hit.point, reflected ? side : -side);
   path.triangle = hit.triangle;
   return reflectance;
+}
+
+glm::dvec3 around(const glm::dvec3& axis, double sine, double cosine, double turn) {
+  const auto [u, v] = tangents(axis);
+  return cosine * axis +
+         sine * (std::cos(2 * glm::pi<double>() * turn) * u + std::sin(2 * glm::pi<double>() * turn) * v);
+}
+
+bool scatter_diffusely(const Tracer& tracer, Path& path, const Hit& hit, const glm::dvec3& side,
+                       const glm::dvec3& normal, const glm::dvec2& place) {
+  path.ray = {tracer.leave(hit.point, side), around(normal, std::sqrt(place.x), std::sqrt(1 - place.x), place.y)};
+  path.triangle = hit.triangle;
+  path.differential = path.by_light = {};
+  return glm::dot(path.ray.direction, side) > 0;
 }
 
 void absorb(Path& path, double distance) { path.throughput *= glm::exp(-path.absorption * distance); }

@@ -28,6 +28,14 @@ struct Path {
 // of the triangle, with the geometric one. Returns the probability of reflection.
 double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random);
 
+// `sine` across the axis, turned by `turn` of a full circle, and `cosine` along it.
+glm::dvec3 around(const glm::dvec3& axis, double sine, double cosine, double turn);
+
+// Sends the path on from a diffuse surface, by the cosine to `normal`; `place`: uniform in the unit square. False where
+// that is not to the surface's `side`.
+bool scatter_diffusely(const Tracer& tracer, Path& path, const Hit& hit, const glm::dvec3& side,
+                       const glm::dvec3& normal, const glm::dvec2& place);
+
 // Beer-Lambert over `distance` metres.
 void absorb(Path& path, double distance);
 

@@ -59,7 +59,8 @@ Start start_on_target(const Tracer& tracer, const shared::Beam& beam, double are
   return start;
 }
 
-// Follows a path from a light to what it meets first. `map`: of one that meets nothing that photons start on.
+// Follows a path from a light to what it meets first. `map`: the global one, or that of one that meets nothing that
+// photons start on.
 Start meet_first(const Tracer& tracer, const Path& path, std::uint32_t map) {
   const World& world = tracer.world();
   Start start{path, {0, no_triangle, path.ray.origin, glm::dvec3(0)}, map, shared::END_DROPPED};
@@ -69,8 +70,8 @@ Start meet_first(const Tracer& tracer, const Path& path, std::uint32_t map) {
   const WorldTriangle& triangle = world.triangles[hit->triangle];
   start.hit = *hit;
   transfer(start.path.differential, path.ray.direction, hit->t, triangle.geometric);
-  if (world.surfaces[triangle.material].specular == 0) return start;
-  start.map = triangle.meniscus ? shared::MAP_TARGETED : shared::MAP_CAUSTIC;
+  if (map != shared::MAP_GLOBAL && world.surfaces[triangle.material].specular == 0) return start;
+  if (map != shared::MAP_GLOBAL) start.map = triangle.meniscus ? shared::MAP_TARGETED : shared::MAP_CAUSTIC;
   start.end = shared::END_CUT;
   return start;
 }
@@ -88,14 +89,14 @@ Start start_in_view(const Tracer& tracer, const shared::Beam& beam, double area,
 }
 
 // From one of the lights: looks for what it meets. `part`: of all photons.
-Start start_on_light(const Tracer& tracer, double part, const shared::vec2& place, const shared::RandomKey& key,
-                     const glm::dvec3& shift) {
+Start start_on_light(const Tracer& tracer, double part, std::uint32_t map, const shared::vec2& place,
+                     const shared::RandomKey& key, const glm::dvec3& shift) {
   const Emission emission = emit(tracer, glm::dvec2(place), key);
   Path path;
   path.ray = {emission.ray.origin + shift, emission.ray.direction};
   path.triangle = emission.triangle;
   path.throughput = emission.flux * part;
-  return meet_first(tracer, path, shared::MAP_CAUSTIC);
+  return meet_first(tracer, path, map);
 }
 
 Start start_photon(const Tracer& tracer, const shared::Beam& beam, const shared::RandomKey& key,
@@ -104,7 +105,7 @@ Start start_photon(const Tracer& tracer, const shared::Beam& beam, const shared:
   const shared::vec2 place(shared::unit_float(bits.x), shared::unit_float(bits.y));
   const double area = double(beam.power) * double(shared::window_weight(place, beam.own, beam.own_fade) -
                                                   shared::window_weight(place, beam.finer, beam.finer_fade));
-  if (beam.kind == shared::START_ON_LIGHTS) return start_on_light(tracer, area, place, key, shift);
+  if (beam.kind == shared::START_ON_LIGHTS) return start_on_light(tracer, area, beam.map, place, key, shift);
   return beam.kind == shared::START_IN_VIEW ? start_in_view(tracer, beam, area, bits, shift)
                                             : start_on_target(tracer, beam, area, bits, key, shift);
 }
@@ -127,35 +128,65 @@ Reach disc_reach(double reach, double image) {
 }  // namespace
 
 Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::uint32_t pass, std::uint32_t index,
-                    const Perturbation& perturbation) {
+                    const Perturbation& perturbation, bool global) {
   const World& world = tracer.world();
-  const auto beam = std::find_if(settings.beams.rbegin(), settings.beams.rend(),
-                                 [&](const shared::Beam& b) { return b.first <= index; });
-  const auto stream = shared::STREAM_BEAM + static_cast<std::uint32_t>(settings.beams.rend() - beam) - 1;
+  const PhotonSet& set = global ? settings.global : settings.caustics;
+  const auto beam =
+      std::find_if(set.beams.rbegin(), set.beams.rend(), [&](const shared::Beam& b) { return b.first <= index; });
+  const std::uint32_t stream =
+      (global ? shared::STREAM_GLOBAL : shared::STREAM_BEAM) + static_cast<std::uint32_t>(set.beams.rend() - beam) - 1;
   const shared::RandomKey key{settings.seed, pass, stream, start_index(*beam, index - beam->first)};
   const auto decide = [&](std::uint32_t dimension) {
     return double(shared::random_unit(key, dimension)) + perturbation.roulette;
   };
 
   auto [path, hit, map, end] = start_photon(tracer, *beam, key, perturbation.start);
-  Photon photon{map, hit.point, {}, path.throughput, path.throughput, end};
-  for (std::uint32_t bounce = 0; bounce <= settings.specular_bounces && photon.end == shared::END_CUT; ++bounce) {
-    const std::uint32_t dimension = shared::DIM_FIRST_BOUNCE + shared::BOUNCE_DIMENSIONS * bounce;
+  Photon photon{global ? shared::MAP_GLOBAL : map, hit.point, {}, path.throughput, path.throughput, end};
+  std::uint32_t dimension = shared::DIM_FIRST_BOUNCE;
+  std::uint32_t met = 0, scattered = 0;  // specular surfaces since the start or the last diffuse one; diffuse ones
+  for (bool first = true; photon.end == shared::END_CUT; first = false) {
     const WorldTriangle& triangle = world.triangles[hit.triangle];
-    if (decide(dimension) >= double(world.surfaces[triangle.material].specular)) {
-      const bool arrived_in_front = glm::dot(triangle.geometric, path.ray.direction) < 0;
-      const Discs discs = pass_discs(settings.discs, pass);
-      const Reach reach = disc_reach(double(beam->reach), spread(path.by_light));
-      photon.position = hit.point;
-      photon.disc =
-          make_footprint({{path.differential, discs.shrink * reach.start}, {path.by_light, discs.shrink * reach.light}},
-                         arrived_in_front ? triangle.geometric : -triangle.geometric, discs.narrowest, discs.widest);
-      // Scattered diffusely by its own target: it has met no specular surface and is direct light.
-      photon.end = bounce > 0 ? hit.triangle : shared::END_DROPPED;
+    const shared::Surface& surface = world.surfaces[triangle.material];
+    const bool specular = decide(dimension) < double(surface.specular);
+    const double choice = decide(dimension + 1);
+    dimension += shared::BOUNCE_DIMENSIONS;
+    const std::uint32_t numbers = shared::DIM_FIRST_SCATTERING + shared::SCATTERING_DIMENSIONS * scattered;
+    const double stops = scattered == set.scatterings ? 1
+                         : scattered == 0             ? 0
+                                                      : double(shared::storing_probability(surface.albedo));
+    // Direct light; or, of photons that set out for the global map, what beams towards the targets have.
+    const bool counted_elsewhere =
+        map == shared::MAP_GLOBAL ? specular && settings.integrator != Integrator::ordinary : !specular;
+    if (first && counted_elsewhere) {
+      photon.end = shared::END_DROPPED;
       break;
     }
-    if (bounce == settings.specular_bounces) break;
-    scatter_specular(path, hit, tracer, decide(dimension + 1));
+    if (specular) {
+      if (met++ == settings.specular_bounces) break;
+      scatter_specular(path, hit, tracer, choice);
+    } else {
+      const glm::dvec3 side =
+          glm::dot(triangle.geometric, path.ray.direction) < 0 ? triangle.geometric : -triangle.geometric;
+      if (decide(numbers) < stops) {
+        path.throughput /= stops;
+        const Discs discs = pass_discs(set.discs, pass);
+        const Reach reach = disc_reach(double(beam->reach), spread(path.by_light));
+        photon.disc = make_footprint(
+            {{path.differential, discs.shrink * reach.start}, {path.by_light, discs.shrink * reach.light}}, side,
+            discs.narrowest, discs.widest);
+        photon.position = hit.point;
+        photon.end = hit.triangle;
+        break;
+      }
+      path.throughput *= glm::dvec3(surface.albedo) / (1 - stops);
+      scatter_diffusely(tracer, path, hit, side, side, {decide(numbers + 1), decide(numbers + 2)});
+      if (surface.albedo == glm::vec3(0)) {
+        photon.end = shared::END_ABSORBED;
+        break;
+      }
+      ++scattered;
+      met = 0;
+    }
     const auto next = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!next) {
       photon.end = shared::END_ESCAPED;

@@ -14,8 +14,8 @@ struct Photon {
   std::uint32_t end;         // triangle it was stored on, or shared::END_*
 };
 
-// `photon`: of the pass, among those of all beams.
+// `photon`: of the pass, among those of all beams; of the caustics' or of the global map.
 Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::uint32_t pass, std::uint32_t photon,
-                    const Perturbation& perturbation = {});
+                    const Perturbation& perturbation = {}, bool global = false);
 
 }  // namespace meniscal::reference

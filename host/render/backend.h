@@ -27,6 +27,7 @@ struct Tally {
     if (end == shared::END_BLOCKED) return;
     ++visible;
     flux_in += entered;
+    if (end == shared::END_ABSORBED) return;
     if (end == shared::END_ESCAPED)
       flux_escaped += flux;
     else if (end == shared::END_CUT)
@@ -55,9 +56,10 @@ double mean_of(const Colour& c) {
 struct View {
   std::uint32_t sample = 0;                        // below settings.samples: their mean is the pass'
   std::uint32_t branch = shared::BRANCH_ROULETTE;  // of a split path: the light of all is added
+  bool bounced = false;  // gathers interreflection: goes on from the first diffuse surface to the next
 
-  // The branch whose depth, normal and so on are the pixel's.
-  bool main() const { return branch != shared::BRANCH_REFLECTED && branch != shared::BRANCH_LATER; }
+  // The path whose depth, normal and so on are the pixel's.
+  bool main() const { return !bounced && branch != shared::BRANCH_REFLECTED && branch != shared::BRANCH_LATER; }
 };
 inline std::vector<View> views_of(const RenderSettings& settings) {
   std::vector<View> views;
@@ -69,12 +71,18 @@ inline std::vector<View> views_of(const RenderSettings& settings) {
                             : shared::BRANCH_THROUGH_ALL);
   if (settings.split > 0) add(shared::BRANCH_REFLECTED);
   if (settings.split > 1) add(shared::BRANCH_LATER);
+  for (std::uint32_t i = 0; settings.final_gathering && i < settings.samples; ++i)
+    views.push_back({settings.samples + i, shared::BRANCH_ROULETTE, true});
   return views;
+}
+// Whether the global map lights that view's samples.
+inline bool shows_global(const RenderSettings& settings, const View& view) {
+  return settings.global.count() > 0 && view.bounced == settings.final_gathering;
 }
 // Whether samples that end on the triangle of the one before keep its maps' irradiances: but for round discs, all of a
 // pixel are gathered at its centre, so on one triangle at one place.
 inline bool keeps_irradiance(const RenderSettings& settings, const View& view) {
-  return view.sample > 0 && !settings.discs.round();
+  return view.sample > 0 && !view.bounced && !settings.caustics.discs.round();
 }
 // Samples of the crop, row by row.
 using TakeSamples = std::function<void(const std::vector<shared::PixelSample>&, const View&)>;

@@ -171,6 +171,18 @@ std::vector<shared::Beam> light_beams(const World& world, std::uint32_t photons)
   return {beam};
 }
 
+std::vector<shared::Beam> global_beams(const World& world, std::uint32_t photons, bool from_lights) {
+  std::vector<shared::Beam> beams;
+  if (!from_lights) beams = make_beams(world, default_starts(world), photons / 2);
+  const std::uint32_t first = beams.empty() ? 0 : beams.back().first + beams.back().count;
+  for (shared::Beam beam : light_beams(world, std::max(photons, first + 1) - first)) {
+    beam.map = shared::MAP_GLOBAL;
+    beam.first = first;
+    beams.push_back(beam);
+  }
+  return beams;
+}
+
 std::vector<shared::Beam> make_beams(const World& world, const std::vector<StartSet>& starts, std::uint32_t photons) {
   std::vector<shared::Beam> beams;
   std::uint32_t first = 0;

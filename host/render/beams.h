@@ -46,4 +46,8 @@ std::uint32_t start_index(const shared::Beam& beam, std::uint32_t i);
 // All photons from the lights, by power: ordinary photon mapping. Its discs are round. Empty without lights.
 std::vector<shared::Beam> light_beams(const World& world, std::uint32_t photons);
 
+// Photons of the global map: from the lights towards what scatters at once, and towards the targets, as many; or all
+// from the lights alone. Empty without lights.
+std::vector<shared::Beam> global_beams(const World& world, std::uint32_t photons, bool from_lights);
+
 }  // namespace meniscal

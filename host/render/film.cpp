@@ -29,11 +29,11 @@ const std::vector<Aov>& all_aovs() {
       {"targeted", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.targeted, m.targeted); },
        true},
       {"caustic", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.caustic, m.caustic); }, true},
-      // Interreflection is not computed yet: the layer is there, and black.
-      {"global", rgb, [](const PixelSample&, const MapScale&) { return glm::dvec3(0); }},
+      {"global", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.global, m.global); }, true},
       {"irradiance", rgb,
        [](const PixelSample& s, const MapScale& m) {
-         return glm::dvec3(s.direct) + glm::dvec3(s.targeted) * m.targeted + glm::dvec3(s.caustic) * m.caustic;
+         return glm::dvec3(s.direct) + glm::dvec3(s.targeted) * m.targeted + glm::dvec3(s.caustic) * m.caustic +
+                glm::dvec3(s.global) * m.global;
        }},
       {"albedo", rgb, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.albedo); }},
       {"normal", xyz, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.normal); }},
@@ -42,7 +42,9 @@ const std::vector<Aov>& all_aovs() {
       {"meniscus", {"Y"}, [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.meniscus)); }},
       {"density",
        {"Y"},
-       [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.targeted_count + s.caustic_count)); }},
+       [](const PixelSample& s, const MapScale&) {
+         return glm::dvec3(double(s.targeted_count + s.caustic_count + s.global_count));
+       }},
       {"variance", rgb, [](const PixelSample&, const MapScale&) { return glm::dvec3(0); }},
   };
   return aovs;
@@ -72,11 +74,15 @@ Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScal
 }
 
 void Film::add(const std::vector<PixelSample>& samples, const View& view) {
+  if (view.bounced) {
+    add_bounced(samples);
+    return;
+  }
   if (view.main()) ++pass_samples_;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PixelSample& s = samples[i];
     pass_[i] += glm::dvec3(s.emitted) + weighted(s, s.direct, 1) + weighted(s, s.targeted, scale_.targeted) +
-                weighted(s, s.caustic, scale_.caustic);
+                weighted(s, s.caustic, scale_.caustic) + weighted(s, s.global, scale_.global);
   }
   for (Sum& sum : aovs_) {
     const auto aov =
@@ -88,6 +94,19 @@ void Film::add(const std::vector<PixelSample>& samples, const View& view) {
       if (sum.name == "position" && samples[i].triangle < shared::END_FIRST) value += origin_;
       for (std::size_t c = 0; c < channels; ++c) sum.values[i * channels + c] += value[static_cast<int>(c)];
     }
+  }
+}
+
+// Whatever a further diffuse surface is lit by, it is interreflection.
+void Film::add_bounced(const std::vector<PixelSample>& samples) {
+  std::vector<double>* layer = nullptr;
+  for (Sum& sum : aovs_)
+    if (sum.name == "global") layer = &sum.values;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const PixelSample& s = samples[i];
+    const glm::dvec3 radiance = weighted(s, s.direct + s.targeted + s.caustic + s.global, scale_.global);
+    pass_[i] += radiance;
+    for (int c = 0; layer && c < 3; ++c) (*layer)[3 * i + static_cast<std::size_t>(c)] += radiance[c];
   }
 }
 

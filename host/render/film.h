@@ -42,6 +42,7 @@ class Film {
     std::vector<std::string> channels;
     std::vector<double> values;  // over all samples
   };
+  void add_bounced(const std::vector<shared::PixelSample>& samples);
   glm::dvec3 variance(std::size_t pixel) const;
 
   Crop crop_;

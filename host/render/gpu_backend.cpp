@@ -11,19 +11,24 @@
 namespace meniscal {
 namespace {
 
-std::uint32_t photon_capacity(const RenderSettings& settings) {
-  return std::min(settings.photons(), settings.photons_at_once);
+std::uint32_t photon_capacity(const PhotonSet& set, const RenderSettings& settings) {
+  return std::min(set.count(), settings.photons_at_once);
 }
 
-// What photon maps need beside their photons; not made for a scene without specular surfaces or lights.
-struct MapPasses {
+// The photons of the caustics' maps, or of the global map, and the passes that look them up.
+struct Map {
+  std::uint32_t capacity;  // of photons at once
+  const passes::PhotonBuffers& photons;
   passes::CellsPass cells;
   passes::GatherPass gather;
+  std::uint32_t grids = 0;  // that the pass took so far
 
-  MapPasses(const gpu::Device& device, const passes::PhotonBuffers& photons, std::uint32_t capacity,
-            const std::vector<passes::PixelTile>& tiles, bool texel)
-      : cells(device, photons, passes::entry_capacity(capacity), passes::most_cells(capacity), texel),
-        gather(device, photons, cells, tiles, texel) {}
+  Map(const gpu::Device& device, const passes::PhotonBuffers& p, std::uint32_t c,
+      const std::vector<passes::PixelTile>& tiles, bool global, bool texel)
+      : capacity(c),
+        photons(p),
+        cells(device, photons, passes::entry_capacity(capacity), passes::most_cells(capacity), texel),
+        gather(device, photons, cells, tiles, global, texel) {}
 };
 
 }  // namespace
@@ -34,26 +39,32 @@ struct GpuBackend::Passes {
   RenderSettings settings;
   gpu::Commands commands;
   Stopwatch set_up;
+  std::uint32_t capacity, global_capacity;
   passes::SceneTables tables;
   double upload_seconds = set_up.seconds(), compile_seconds;
   std::vector<passes::PixelTile> tiles;
-  std::uint32_t capacity;  // of photons at once
   passes::PhotonBuffers photons;
+  std::optional<passes::PhotonBuffers> global_photons;
   passes::PathsPass paths;
-  std::optional<MapPasses> maps;
-  std::uint32_t grids = 0;  // that the last pass took
+  std::optional<Map> caustics, global;  // none without photons
 
   Passes(gpu::Device d, const World& w, RenderSettings s, bool allow_texel)
       : device(std::move(d)),
         world(w),
         settings(std::move(s)),
         commands(device),
-        tables(device, world, passes::largest_table(photon_capacity(settings), settings.crop.pixels()), allow_texel),
+        capacity(photon_capacity(settings.caustics, settings)),
+        global_capacity(photon_capacity(settings.global, settings)),
+        tables(device, world, passes::largest_table(std::max(capacity, global_capacity), settings.crop.pixels()),
+               allow_texel),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
-        capacity(photon_capacity(settings)),
         photons(device, capacity),
-        paths(device, world, tables, photons, tiles, settings) {
-    if (capacity > 0) maps.emplace(device, photons, capacity, tiles, tables.texel);
+        global_photons(global_capacity > 0
+                           ? std::optional<passes::PhotonBuffers>(std::in_place, device, global_capacity)
+                           : std::nullopt),
+        paths(device, world, tables, photons, global_photons ? &*global_photons : nullptr, tiles, settings) {
+    if (capacity > 0) caustics.emplace(device, photons, capacity, tiles, false, tables.texel);
+    if (global_photons) global.emplace(device, *global_photons, global_capacity, tiles, true, tables.texel);
     compile_seconds = set_up.seconds() - upload_seconds;
   }
 
@@ -74,58 +85,65 @@ struct GpuBackend::Passes {
     return all;
   }
 
+  const PhotonSet& set_of(const Map& map) const {
+    return global && &map == &*global ? settings.global : settings.caustics;
+  }
+
   // Calls done(count, grid) for the photons of a pass, as many at a time as fit, with the grid to put them into.
   template <class Done>
-  void trace(std::uint32_t pass, const Done& done) {
-    const std::uint32_t started = maps ? settings.photons() : 0;
-    for (std::uint32_t first = 0, count = 0; first < started; first += count) {
-      count = std::min(capacity, started - first);
-      const passes::Grid grid = passes::make_grid(count, pass_discs(settings.discs, pass));
-      paths.trace_photons(commands, settings, pass, first, count, grid);
+  void trace(const Map& map, std::uint32_t pass, const Done& done) {
+    const PhotonSet& set = set_of(map);
+    for (std::uint32_t first = 0, count = 0; first < set.count(); first += count) {
+      count = std::min(map.capacity, set.count() - first);
+      const passes::Grid grid = passes::make_grid(count, pass_discs(set.discs, pass));
+      paths.trace_photons(commands, settings, &set == &settings.global, pass, first, count, grid);
       tables.collect_counters();
       done(count, grid);
     }
   }
 
-  // One camera path a pixel, lit by the photons of the pass, and how these ended.
-  Tallies render(std::uint32_t pass, const View& view) {
+  // Lights the samples by the photons of a pass. Where all of them fit into one grid, they are still there for further
+  // views; else they are traced anew. Adds how they ended, the first time.
+  void light(Map& map, std::uint32_t pass, Tallies& tallies) {
+    const PhotonSet& set = set_of(map);
+    if (map.grids == 1) {
+      map.gather.run(commands, passes::make_grid(set.count(), pass_discs(set.discs, pass)));
+      return;
+    }
+    const bool anew = map.grids > 1;
+    map.grids = 0;
+    trace(map, pass, [&](std::uint32_t count, const passes::Grid& grid) {
+      for (std::uint32_t first = 0; first < count; ++map.grids) {
+        first += map.cells.build(commands, grid, first, count - first);
+        map.gather.run(commands, grid);
+      }
+      if (!anew) tally(map, tallies, count);
+    });
+  }
+
+  Tallies no_tallies() const {
     Tallies tallies;
     for (Tally& t : tallies) t.flux_landed.resize(world.surfaces.size());
-    paths.trace_camera(commands, settings, pass, view);
-    grids = 0;
-    trace(pass, [&](std::uint32_t count, const passes::Grid& grid) {
-      for (std::uint32_t first = 0; first < count; ++grids) {
-        first += maps->cells.build(commands, grid, first, count - first);
-        maps->gather.run(commands, grid);
-      }
-      tally(tallies, count);
-    });
     return tallies;
   }
 
-  // Another view of the pass, after render: where all photons fit into one grid, they are still there; else they are
-  // traced anew.
-  void render_again(std::uint32_t pass, const View& view) {
-    if (grids > 1) {
-      render(pass, view);
-      return;
-    }
-    paths.trace_camera(commands, settings, pass, view);
-    if (grids == 1) maps->gather.run(commands, passes::make_grid(settings.photons(), pass_discs(settings.discs, pass)));
-  }
-
-  std::vector<PhotonEnd> ends(std::uint32_t count) const {
+  std::vector<PhotonEnd> ends(const Map& map, std::uint32_t count) const {
     std::vector<PhotonEnd> ends;
     ends.reserve(count);
-    for (const shared::PhotonEnd& e : photons.ends.download<shared::PhotonEnd>(0, count))
-      ends.push_back({std::signbit(e.flux.x), e.end, glm::dvec3(e.position), glm::abs(glm::dvec3(e.flux))});
+    for (const shared::PhotonEnd& e : map.photons.ends.download<shared::PhotonEnd>(0, count))
+      ends.push_back({map_of(map, e), e.end, glm::dvec3(e.position), glm::abs(glm::dvec3(e.flux))});
     return ends;
   }
 
-  void tally(Tallies& tallies, std::uint32_t count) const {
-    for (const shared::PhotonEnd& p : photons.ends.download<shared::PhotonEnd>(0, count))
-      tallies[std::signbit(p.flux.x)].count(double(p.entered), mean_of(glm::abs(p.flux)), p.end,
-                                            [&](std::uint32_t triangle) { return world.triangles[triangle].material; });
+  std::uint32_t map_of(const Map& map, const shared::PhotonEnd& e) const {
+    if (&set_of(map) == &settings.global) return shared::MAP_GLOBAL;
+    return std::signbit(e.flux.x) ? shared::MAP_CAUSTIC : shared::MAP_TARGETED;
+  }
+
+  void tally(const Map& map, Tallies& tallies, std::uint32_t count) const {
+    for (const shared::PhotonEnd& p : map.photons.ends.download<shared::PhotonEnd>(0, count))
+      tallies[map_of(map, p)].count(double(p.entered), mean_of(glm::abs(p.flux)), p.end,
+                                    [&](std::uint32_t triangle) { return world.triangles[triangle].material; });
   }
 };
 
@@ -135,21 +153,25 @@ GpuBackend::~GpuBackend() = default;
 
 Tallies GpuBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
   Passes& p = *passes_;
-  const std::vector<View> views = views_of(p.settings);
-  Tallies tallies = p.render(pass, views.front());
-  take(p.samples(), views.front());
-  for (std::size_t i = 1; i < views.size(); ++i) {
-    p.render_again(pass, views[i]);
-    take(p.samples(), views[i]);
+  Tallies tallies = p.no_tallies();
+  for (std::optional<Map>* map : {&p.caustics, &p.global})
+    if (*map) (*map)->grids = 0;
+  for (const View& view : views_of(p.settings)) {
+    p.paths.trace_camera(p.commands, p.settings, pass, view);
+    if (p.caustics) p.light(*p.caustics, pass, tallies);
+    if (p.global && shows_global(p.settings, view)) p.light(*p.global, pass, tallies);
+    take(p.samples(), view);
   }
   p.tables.collect_counters();
   return tallies;
 }
 
 std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
+  Passes& p = *passes_;
   std::vector<PhotonEnd> all;
-  passes_->trace(pass, [&](std::uint32_t count, const passes::Grid&) {
-    const std::vector<PhotonEnd> ends = passes_->ends(count);
+  if (!p.caustics) return all;
+  p.trace(*p.caustics, pass, [&](std::uint32_t count, const passes::Grid&) {
+    const std::vector<PhotonEnd> ends = p.ends(*p.caustics, count);
     all.insert(all.end(), ends.begin(), ends.end());
   });
   return all;

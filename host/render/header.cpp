@@ -29,9 +29,9 @@ void describe(Image& image, const Scene& scene, const RenderSettings& settings, 
   image.text["meniscusModel"] = model == MeniscusModel::none ? "none" : "paper";
   image.text["passRange"] = std::to_string(run.passes.first) + ":" + std::to_string(run.passes.last);
   image.numbers["seed"] = settings.seed;
-  image.numbers["photonsPerPass"] = settings.photons();
+  image.numbers["photonsPerPass"] = settings.caustics.count();
   image.numbers["specularBounces"] = settings.specular_bounces;
-  if (!settings.beams.empty()) image.numbers["radius"] = disc_radius(settings, 0);
+  if (!settings.caustics.beams.empty()) image.numbers["radius"] = disc_radius(settings, 0);
   image.numbers["renderTime"] = render_seconds;
 
   glm::dmat4 to_world = settings.camera.pose;

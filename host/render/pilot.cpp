@@ -60,8 +60,8 @@ void look(Backend& backend, RenderSettings& settings, const std::vector<std::siz
   backend.configure(settings);
   const std::vector<PhotonEnd> ends = backend.trace_photons(pilot_pass + round);
   for (SeenSet& s : seen) s.all.flux = s.targeted.flux = 0;  // the finer look counts
-  for (std::uint32_t b = 0; b < settings.beams.size(); ++b) {
-    const shared::Beam& beam = settings.beams[b];
+  for (std::uint32_t b = 0; b < settings.caustics.beams.size(); ++b) {
+    const shared::Beam& beam = settings.caustics.beams[b];
     for (std::uint32_t i = 0; i < beam.count; ++i) {
       const PhotonEnd& photon = ends[beam.first + i];
       if (photon.end >= shared::END_FIRST || !cells.contains(photon.position)) continue;
@@ -130,7 +130,7 @@ Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& set
   for (StartSet& s : sets) s.windows = {StartWindow{.share = 1.0 / double(sets.size())}};
   std::vector<SeenSet> seen(sets.size());
   for (std::uint32_t round = 0; round < rounds; ++round) {
-    pilot.beams = make_beams(world, sets, photons_a_round);
+    pilot.caustics.beams = make_beams(world, sets, photons_a_round);
     look(backend, pilot, sets_of_beams(sets), round, cells, seen);
     for (std::size_t i = 0; i < sets.size(); ++i)
       sets[i].windows = windows_round(seen[i], sets[i], round + 1 == rounds);

@@ -26,7 +26,7 @@ const Stratum* find_stratum(const World& world, const std::string& name) {
 
 }  // namespace
 
-Plan make_plan(const World& world) {
+Plan make_plan(const World& world, std::uint32_t diffuse_bounces) {
   std::size_t contacts = 0;
   for (const LiquidReport& l : world.liquids) contacts += l.contacts.size();
   Plan plan;
@@ -38,6 +38,8 @@ Plan make_plan(const World& world) {
     if (entry.on && world.lights.empty()) entry = {entry.feature, false, "no light"};
     plan.push_back(entry);
   }
+  plan.push_back({"interreflection", diffuse_bounces > 0 && !world.lights.empty(),
+                  world.lights.empty() ? "no light" : fmt::format("{} diffuse bounces", diffuse_bounces)});
   using shared::Light;
   plan.push_back(counted("directional lights",
                          count_lights(world, [](const Light& l) { return l.type == shared::LIGHT_DIRECTIONAL; }),
@@ -62,14 +64,14 @@ Plan make_plan(const World& world) {
 Discs default_discs(const RenderSettings& settings, double radius) {
   if (settings.integrator == Integrator::ordinary) {
     // Some fifty photons where they are spread over the scene evenly.
-    const double round = radius * std::sqrt(50.0 / std::max(settings.photons(), 50u));
+    const double round = radius * std::sqrt(50.0 / std::max(settings.caustics.count(), 50u));
     return {round, round};
   }
   // Measured on the benchmark: discs narrower than this part of a pixel alias, wider ones blur folds. The grid's levels
   // span a factor of 128 between the narrowest and the widest.
   constexpr double narrowest = 0.85, most_pixels = 27, levels = 100;
   double widest = most_pixels * settings.footprint;
-  for (const shared::Beam& b : settings.beams) widest = std::max(widest, double(b.reach));
+  for (const shared::Beam& b : settings.caustics.beams) widest = std::max(widest, double(b.reach));
   return {narrowest * settings.footprint, std::min(widest, levels * narrowest * settings.footprint)};
 }
 

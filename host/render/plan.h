@@ -13,7 +13,8 @@ struct PlanEntry {
 };
 using Plan = std::vector<PlanEntry>;
 
-Plan make_plan(const World& world);
+// `diffuse_bounces`: asked for.
+Plan make_plan(const World& world, std::uint32_t diffuse_bounces);
 
 // Discs of pass 0 for the beams and pixels of the settings. `radius`: of the scene, m.
 Discs default_discs(const RenderSettings& settings, double radius);

@@ -21,9 +21,9 @@ CameraAxes camera_axes(const Camera& camera, std::uint32_t width, std::uint32_t 
 }
 
 double disc_radius(const RenderSettings& settings, std::uint32_t pass) {
-  const Discs discs = pass_discs(settings.discs, pass);
+  const Discs discs = pass_discs(settings.caustics.discs, pass);
   double reach = discs.widest;
-  for (const shared::Beam& b : settings.beams) reach = std::min(reach, discs.shrink * double(b.reach));
+  for (const shared::Beam& b : settings.caustics.beams) reach = std::min(reach, discs.shrink * double(b.reach));
   return std::clamp(reach, discs.narrowest, discs.widest);
 }
 

@@ -44,8 +44,16 @@ inline Discs pass_discs(const Discs& first, std::uint32_t pass) {
 }
 
 // Where photons start: on targets and in lights' views of them, where the camera sees what they give; or, as in
-// ordinary photon mapping, on the lights.
-enum class Integrator { targeted, ordinary };
+// ordinary photon mapping, on the lights. Or no photons: path tracing, by the reference path alone.
+enum class Integrator { targeted, ordinary, path };
+
+// Photons that every pass starts.
+struct PhotonSet {
+  std::vector<shared::Beam> beams;  // in order of their first photons; none: no photons
+  Discs discs;                      // of pass 0
+  std::uint32_t scatterings = 0;    // diffuse ones of a photon, at the most; 0: it ends at the first diffuse surface
+  std::uint32_t count() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }
+};
 
 struct RenderSettings {
   Integrator integrator = Integrator::targeted;
@@ -53,18 +61,19 @@ struct RenderSettings {
   std::uint32_t width = 640, height = 480;
   Crop crop{0, 0, 640, 480};
   Camera camera;
-  std::vector<shared::Beam> beams;  // of photons, in order of their first ones; none: no photons
-  Discs discs;                      // of pass 0
-  double footprint = 0;             // side of a pixel on what is seen, m
-  std::uint32_t specular_bounces = 8;
+  PhotonSet caustics;    // of the targeted and the caustic map
+  PhotonSet global;      // of the global map; their discs are round
+  double footprint = 0;  // side of a pixel on what is seen, m
+  std::uint32_t specular_bounces = 8, diffuse_bounces = 0;
+  // Interreflection: shown as the global map has it, or gathered by a diffuse bounce of as many more camera paths from
+  // all maps and the lights.
+  bool final_gathering = false;
   std::uint32_t photons_at_once =
       1u << 20;               // on the device: a pass of more takes them in turns, so that memory is bounded
   std::uint32_t samples = 1;  // camera paths a pixel and pass
   // Where light is reflected in part, camera paths go 0: one way, by roulette; 1: both ways at the first such surface;
   // 2: at later ones, too.
   std::uint32_t split = 0;
-
-  std::uint32_t photons() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }  // per pass
 };
 
 // Radius in a pass of the finest beam's discs where light is neither focused nor spread, m.
@@ -73,7 +82,7 @@ double disc_radius(const RenderSettings& settings, std::uint32_t pass);
 // Part of a pixel's side that camera rays are spread over in a pass: all of it, but that a single ray looks better
 // without. Round discs of any size leave the pixel's filter to the rays from the beginning.
 inline float pixel_jitter(const RenderSettings& settings, std::uint32_t pass) {
-  return pass == 0 && settings.samples == 1 && !settings.discs.round() ? 0 : 1;
+  return pass == 0 && settings.samples == 1 && !settings.caustics.discs.round() ? 0 : 1;
 }
 
 // From where a ray ends to where the pixel's centre sees the same plane, at the most, m. Where it is further, the pixel

@@ -12,9 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json plan_json(const World& world) {
+Json plan_json(const World& world, const RenderSettings& settings) {
   Json entries = Json::array();
-  for (const PlanEntry& e : make_plan(world)) entries.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
+  for (const PlanEntry& e : make_plan(world, settings.diffuse_bounces))
+    entries.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
   return entries;
 }
 
@@ -61,13 +62,12 @@ Json tally_json(const World& world, const Tally& t, std::uint32_t passes) {
 Json photons_json(const World& world, const RunStatistics& run, std::uint32_t passes) {
   Json maps = Json::object();
   std::uint64_t started = 0, stored = 0;
-  const char* names[shared::MAPS] = {"targeted", "caustic"};
+  const char* names[shared::MAPS] = {"targeted", "caustic", "global"};
   for (std::size_t map = 0; map < shared::MAPS; ++map) {
     maps[names[map]] = tally_json(world, run.tallies[map], passes);
     started += run.tallies[map].started;
     stored += run.tallies[map].stored;
   }
-  maps["global"] = tally_json(world, Tally{}, 0);  // always there: scripts read it
   Json photons = {{"started", started}, {"stored", stored}};
   photons.update(maps);
   return photons;
@@ -75,7 +75,7 @@ Json photons_json(const World& world, const RunStatistics& run, std::uint32_t pa
 
 // Radius of the discs of what is neither focused nor spread, in the first and the last pass.
 Json radius_json(const RenderSettings& settings, const PassRange& passes) {
-  if (settings.beams.empty() || passes.last == passes.first) return Json::array();
+  if (settings.caustics.beams.empty() || passes.last == passes.first) return Json::array();
   return {disc_radius(settings, passes.first), disc_radius(settings, passes.last - 1)};
 }
 
@@ -97,7 +97,7 @@ Json statistics_json(const World& world, const RenderSettings& settings, Meniscu
   const std::uint32_t passes = run.passes.last - run.passes.first;
   return {{"device",
            {{"name", run.backend.device_name}, {"type", run.backend.device_type}, {"driver", run.backend.driver}}},
-          {"plan", plan_json(world)},
+          {"plan", plan_json(world, settings)},
           {"meniscus", meniscus_json(world, model)},
           {"triangles", world.triangles.size()},
           {"photons", photons_json(world, run, passes)},

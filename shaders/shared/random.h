@@ -10,8 +10,11 @@ SHARED_BEGIN
 // FIRST_BOUNCE on.
 const uint DIM_LIGHT = 2u, DIM_LIGHT_U = 3u, DIM_LIGHT_V = 4u, DIM_LIGHT_SIDE = 5u, DIM_FIRST_BOUNCE = 8u;
 const uint BOUNCE_DIMENSIONS = 2u;  // 0: specular or diffuse, 1: reflect or refract
+// At diffuse surfaces: 0: store or scatter, 1 and 2: direction.
+const uint DIM_FIRST_SCATTERING = 0x10000u, SCATTERING_DIMENSIONS = 3u;
 // What the numbers are drawn for: keeps photons of each beam and camera paths apart.
 const uint STREAM_BEAM = 1u;             // of the i-th beam: STREAM_BEAM + i
+const uint STREAM_GLOBAL = 0x40000000u;  // the same for the global map
 const uint STREAM_CAMERA = 0x80000000u;  // of the i-th sample of a pixel and pass: STREAM_CAMERA + i
 
 // Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020: pcg4d.

@@ -23,6 +23,12 @@ SHARED uint xor_columns(uint bits, uvec4 columns, uint count) {
   return x;
 }
 
+// A photon of the global map is kept at one of the diffuse surfaces that it meets after the first: the probability of
+// keeping it at one with this albedo, so that what it carries changes little from one to the next.
+SHARED float storing_probability(vec3 albedo) {
+  return clamp(1.0f - (albedo.x + albedo.y + albedo.z) / 3.0f, 0.2f, 1.0f);
+}
+
 // Rises from 0 to 1 over [0, 1], smoothly: discs that differ across a border lose and gain light by its curvature only.
 SHARED float fade_in(float t) {
   float s = clamp(t, 0.0f, 1.0f);

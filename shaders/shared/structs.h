@@ -44,10 +44,12 @@ const uint END_DROPPED = 0xFFFFFFF0u;  // met no target, or was scattered diffus
 const uint END_BLOCKED = 0xFFFFFFF1u;  // light sample not visible, or not emitting this way
 const uint END_ESCAPED = 0xFFFFFFF2u;  // left the scene
 const uint END_CUT = 0xFFFFFFF3u;      // more specular events than asked for
+const uint END_ABSORBED = 0xFFFFFFF4u; // met a diffuse surface that scatters nothing
 const uint END_FIRST = 0xFFFFFFF0u;    // ends at and above this are no triangles
 
-// Which map a photon belongs to: by the first surface it meets, a meniscus or another specular one.
-const uint MAP_TARGETED = 0u, MAP_CAUSTIC = 1u, MAPS = 2u;
+// Which map a photon belongs to. One that has not been scattered diffusely: by the first surface it meets, a meniscus
+// or another specular one. One that has: to the global map.
+const uint MAP_TARGETED = 0u, MAP_CAUSTIC = 1u, MAP_GLOBAL = 2u, MAPS = 3u;
 
 // Where photons start: on targets, in a distant light's view of them, or (ordinary photon mapping) on the lights.
 const uint START_ON_TARGETS = 0u, START_IN_VIEW = 1u, START_ON_LIGHTS = 2u;
@@ -82,21 +84,22 @@ struct Beam {
 struct PhotonEnd {
   vec3 position;  // where it was stored
   uint end;       // triangle it was stored on, or END_*
-  vec3 flux;      // W, or lm in photometric scenes; the sign bit of red is MAP_*
+  vec3 flux;      // W, or lm in photometric scenes; the sign bit of red: MAP_CAUSTIC, not MAP_TARGETED
   float entered;  // flux as it met its target, mean over the channels
 };
 // Its footprint where it was stored: q2 = (alpha x)^2 + (beta x)^2 of an offset x from its position is below 1 inside
 // an elliptic disc of area pi / |alpha x beta|. alpha x beta points to the side of arrival.
 struct PhotonDisc {
   vec3 position;
-  float flux_r;  // the sign bit is MAP_*
+  float flux_r;  // the sign bit: MAP_CAUSTIC, not MAP_TARGETED
   vec3 alpha;    // along the wide axis, 1/m; 0: not stored
   float flux_g;
   vec3 beta;  // perpendicular to alpha
   float flux_b;
 };
 
-// What one pass says of one pixel by one path. The radiance is emitted + weight * (direct + targeted + caustic).
+// What one pass says of one pixel by one path. The radiance is emitted + weight * (direct + targeted + caustic +
+// global).
 struct PixelSample {
   // Where the pixel's centre sees the plane of the visible point: of the first non-specular surface on the camera path.
   vec3 position;
@@ -115,6 +118,8 @@ struct PixelSample {
   float targeted_count;  // photons found
   vec3 caustic;          // irradiance from the caustic map
   float caustic_count;
+  vec3 global;           // irradiance from the global map
+  float global_count;
 };
 
 const uint PATHS_PHOTON = 0u, PATHS_CAMERA = 1u;
@@ -127,7 +132,9 @@ struct PathPush {
   uint sample_index, branch;      // of camera paths: which of a pixel's in the pass; BRANCH_*
   uint keeps;                     // samples that end on the triangle of the one before keep its maps' irradiances
   // Of photons.
-  uint beams;
+  uint beams, stream;       // stream: of random numbers, of the first beam
+  uint scatterings;         // of the global map: diffuse ones at the most; 0: of the other maps, that end at the first
+  uint keeps_specular;      // photons that start on lights: those that meet a specular surface first count, too
   float shrink;             // of the beams' reaches in this pass
   float narrowest, widest;  // bounds of a disc's half-widths, m; equal: all discs are round
 };

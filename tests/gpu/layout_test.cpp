@@ -73,6 +73,8 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   EXPECT_EQ(sample.targeted_count, 28);
   EXPECT_EQ(sample.caustic, vec3(29, 30, 31));
   EXPECT_EQ(sample.caustic_count, 32);
+  EXPECT_EQ(sample.global, vec3(33, 34, 35));
+  EXPECT_EQ(sample.global_count, 36);
 }
 
 }  // namespace

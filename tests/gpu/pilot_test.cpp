@@ -64,11 +64,11 @@ TEST(Pilot, WithoutAnythingSeenKeepsTheDefault) {
   const auto setup = test::make_setup("post", options, [](Scene& scene) {
     for (Camera& c : scene.cameras) c.pose[3] += glm::dvec4(100, 0, 0, 0);
   });
-  const std::vector<shared::Beam> before = setup->settings.beams;
+  const std::vector<shared::Beam> before = setup->settings.caustics.beams;
   GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
   focus(setup->settings, options, setup->world, gpu);
-  ASSERT_EQ(setup->settings.beams.size(), before.size());
-  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(setup->settings.beams[i].count, before[i].count);
+  ASSERT_EQ(setup->settings.caustics.beams.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(setup->settings.caustics.beams[i].count, before[i].count);
 }
 
 // Ordinary photon mapping is noisy and blurred, but the same light: on the GPU, on the reference path, and as from

@@ -49,7 +49,7 @@ TEST_P(Replay, EveryPhotonEndsAlike) {
   GpuBackend gpu(gpu::Device::open("auto", true), setup->world, setup->settings);
   const reference::Tracer tracer(setup->world);
   const std::vector<PhotonEnd> ends = gpu.trace_photons(replayed_pass);
-  ASSERT_EQ(ends.size(), setup->settings.photons());
+  ASSERT_EQ(ends.size(), setup->settings.caustics.count());
   std::vector<Photon> expected;
   for (std::uint32_t i = 0; i < ends.size(); ++i)
     expected.push_back(trace_photon(tracer, setup->settings, replayed_pass, i));

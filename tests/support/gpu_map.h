@@ -10,20 +10,20 @@ struct GpuMap {
   GpuMap(const gpu::Device& device, const World& w, const RenderSettings& rs)
       : world(w),
         settings(rs),
-        count(settings.photons()),
-        grid(passes::make_grid(count, settings.discs)),
+        count(settings.caustics.count()),
+        grid(passes::make_grid(count, settings.caustics.discs)),
         commands(device),
         tables(device, world, passes::largest_table(count, settings.crop.pixels()), true),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
         photons(device, count),
-        paths(device, world, tables, photons, tiles, settings),
+        paths(device, world, tables, photons, nullptr, tiles, settings),
         cells(device, photons, passes::entry_capacity(count), grid.cells(), tables.texel),
-        gather(device, photons, cells, tiles, tables.texel) {}
+        gather(device, photons, cells, tiles, false, tables.texel) {}
 
   // The photons, and the pixels, to which gathering adds.
   void prepare() {
     paths.trace_camera(commands, settings, 0, View{});
-    paths.trace_photons(commands, settings, 0, 0, count, grid);
+    paths.trace_photons(commands, settings, false, 0, 0, count, grid);
   }
   // Of as many photons from `first` on as fit; returns how many.
   std::uint32_t build_grid(std::uint32_t first) {

@@ -28,7 +28,7 @@ class GpuRays {
       : tables_(device, world, 0, true),
         rays_(device, "rays", rays.size() * sizeof(Ray)),
         hits_(device, "hits", rays.size() * sizeof(Hit)),
-        pass_(device, "rays", rays_spirv, layout(), 4, tables_.constants(false, false)),
+        pass_(device, "rays", rays_spirv, layout(), 4, tables_.constants({})),
         bound_(pass_.bind(bindings())),
         commands_(device),
         count_(static_cast<std::uint32_t>(rays.size())) {

@@ -36,6 +36,7 @@ inline RenderOptions small_options(std::uint32_t photons, int width = 64, int he
   options.photons = photons;
   options.resolution = Resolution{width, height};
   options.specular_bounces = 8;
+  options.diffuse_bounces = 0;
   options.samples = 1;
   return options;
 }

@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                       "--map-scale targeted=nan", "--map-scale targeted=-1", "--map-scale targeted=1,",
                       "--tonemap filmic", "--meniscus flat", "--meniscus-tolerance 0", "--exposure nan",
                       "--exposure bright", "--aov depth,colour", "--diffuse-bounces -1", "--quiet --json-progress",
-                      "--integrator path", "--quality best", "--time 3", "--output a", "--output ./b/../a",
+                      "--integrator light", "--quality best", "--time 3", "--output a", "--output ./b/../a",
                       "--preview a", "--preview p.png --output ./p.png", "--stats p --preview p"));
 
 TEST(RenderOptions, SceneIsNeeded) { EXPECT_THROW(parse("--passes 3"), CLI::RequiredError); }

@@ -7,7 +7,7 @@ import os
 import sys
 
 from gltf_writer import Scene, rotation
-from shapes import box, cylinder, frame, sphere, square
+from shapes import box, boxes, cylinder, frame, sphere, square
 
 MM = 1e-3
 CAMERA_DEPTH = 6 * MM       # below every meniscus and every stub: the camera sees the floor directly
@@ -131,6 +131,20 @@ def behind_glass():
     return scene
 
 
+def tank():
+    """A closed white box, a third full of water, with a post in it and a lamp below its lid: light goes to and fro."""
+    scene = Scene()
+    half, depth, lid = 40 * MM, 25 * MM, 55 * MM
+    wall = ((-half, -depth, -half), (half, lid, half), (-1, -1, -1, -1, -1, -1))
+    outside = ((-half - 2 * MM, -depth - 2 * MM, -half - 2 * MM), (half + 2 * MM, lid + 2 * MM, half + 2 * MM), (1, 1, 1, 1, 1, 1))
+    scene.mesh("tank", boxes([wall, outside]), matte(scene, "wall", (0.7, 0.65, 0.6), meniscus_contact_angle=60))
+    add_water(scene, half + 1 * MM, depth)
+    scene.mesh("post", cylinder(4 * MM, (0, -depth - 1 * MM, 0), (0, 15 * MM, 0), 96), matte(scene, "post", (0.6, 0.2, 0.15), meniscus_contact_angle=30))
+    scene.mesh("lamp", square(20 * MM, lid - 1 * MM, facing=-1), matte(scene, "lamp", 0, emissive=4, meniscus_ignore=1))
+    scene.camera((10 * MM, 40 * MM, 38 * MM), (0, -12 * MM, -4 * MM), yfov=60, aspect=4 / 3)
+    return scene
+
+
 def shadow_sausage():
     """The paper's figure 2: a tilted rod in a dish of water under the sun; its shadow is broken at the water line."""
     depth, from_vertical = 45 * MM, math.radians(25)
@@ -150,7 +164,7 @@ def shadow_sausage():
 
 
 SCENES = {"area_light": area_light, "behind_glass": behind_glass, "box": box_scene, "flat_water": flat_water, "point_light": point_light, "post": post,
-          "post_stub": post_stub, "shadow_sausage": shadow_sausage, "sphere": sphere_scene, "spot_light": spot_light,
+          "post_stub": post_stub, "shadow_sausage": shadow_sausage, "sphere": sphere_scene, "spot_light": spot_light, "tank": tank,
           "three_lights": three_lights, "two_posts": two_posts}
 
 

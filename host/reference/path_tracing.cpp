@@ -1,0 +1,67 @@
+#include "host/reference/path_tracing.h"
+
+#include <glm/gtc/constants.hpp>
+#include <limits>
+
+namespace meniscal::reference {
+
+shared::PixelSample trace_whole_path(const Tracer& tracer, const RenderSettings& settings, const CameraAxes& axes,
+                                     std::uint32_t pass, std::uint32_t index, std::uint32_t x, std::uint32_t y) {
+  const World& world = tracer.world();
+  shared::RandomKey key{settings.seed, pass, shared::STREAM_CAMERA, y * settings.width + x};
+  const glm::dvec2 place(shared::pixel_place(key, index));
+  Path path = camera_ray(settings, axes, glm::dvec2(x, y) + place);
+  shared::PixelSample sample{};
+  sample.triangle = shared::END_ESCAPED;
+  glm::dvec3 emitted(0);
+  std::uint32_t met = 0, scattered = 0;  // specular surfaces since the last diffuse one; diffuse ones
+  for (bool first = true; met <= settings.specular_bounces; first = false) {
+    const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
+    if (!hit) break;
+    absorb(path, hit->t);
+    const WorldTriangle& triangle = world.triangles[hit->triangle];
+    const shared::Surface& surface = world.surfaces[triangle.material];
+    const bool front = glm::dot(triangle.geometric, path.ray.direction) < 0;
+    const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
+    const glm::dvec3 shading = front ? hit->shading : -hit->shading;
+    if (first) {
+      sample.depth = static_cast<float>(hit->t);
+      sample.meniscus = triangle.meniscus ? 1.0f : 0.0f;
+    }
+    // What a diffuse surface sees of the lights without anything between, it was told when it asked them.
+    if ((scattered == 0 || met > 0) && (front || surface.double_sided))
+      emitted += path.throughput * path.radiance_scale * glm::dvec3(surface.emission);
+
+    // Numbers of its own for each surface on the way.
+    key.stream = shared::STREAM_CAMERA + index + 0x10000u * (scattered * (settings.specular_bounces + 1) + met);
+    const auto number = [&](std::uint32_t dimension) { return double(shared::random_unit(key, dimension)); };
+    if (number(shared::DIM_FIRST_BOUNCE) < double(surface.specular)) {
+      if (met++ < settings.specular_bounces) scatter_specular(path, *hit, tracer, number(shared::DIM_FIRST_BOUNCE + 1));
+      continue;
+    }
+    if (scattered > settings.diffuse_bounces) break;  // the last one looked for caustics only
+    const glm::dvec3 throughput = path.throughput * path.radiance_scale;
+    const glm::dvec3 weight = throughput * glm::dvec3(surface.albedo) * glm::one_over_pi<double>();
+    const glm::dvec3 direct = direct_irradiance(tracer, *hit, side, shading, path.absorption, key);
+    if (scattered == 0) {
+      sample.position = glm::vec3(hit->point);
+      sample.normal = glm::vec3(side);
+      sample.albedo = surface.albedo;
+      sample.triangle = hit->triangle;
+      sample.weight = glm::vec3(weight);
+      sample.direct = glm::vec3(direct);
+    } else {
+      emitted += weight * direct;
+    }
+    ++scattered;
+    path.throughput *= glm::dvec3(surface.albedo);
+    met = 0;
+    if (!scatter_diffusely(tracer, path, *hit, side, glm::dot(shading, side) > 0 ? shading : side,
+                           {number(shared::DIM_FIRST_SCATTERING + 1), number(shared::DIM_FIRST_SCATTERING + 2)}))
+      break;
+  }
+  sample.emitted = glm::vec3(emitted);
+  return sample;
+}
+
+}  // namespace meniscal::reference

@@ -1,0 +1,69 @@
+// Light that diffuse surfaces throw on each other, against closed forms and against path tracing.
+#include "tests/support/scene_setup.h"
+
+namespace meniscal {
+namespace {
+
+// Of the picture, over all pixels and channels.
+double mean_radiance(Backend& backend, const RenderSettings& settings, std::uint32_t passes) {
+  Film film(settings.crop, {}, {});
+  render_passes(backend, {0, passes}, film, [](std::uint32_t) { return true; });
+  const Image image = film.image(settings.width, settings.height);
+  double sum = 0;
+  for (const float v : image.layers[0].pixels) sum += double(v);
+  return sum / double(image.layers[0].pixels.size());
+}
+
+// In a closed room that emits half of what it would as a black body, and reflects the other half, radiance is that of
+// the black body everywhere: 1.
+class Furnace : public testing::TestWithParam<Quality> {};
+
+TEST_P(Furnace, IsBlack) {
+  REQUIRE_DEVICE();
+  RenderOptions options = test::small_options(100000, 24, 18);
+  options.quality = GetParam();
+  options.samples = 4;
+  options.diffuse_bounces = 40;
+  const auto setup = test::make_setup("tank", options, [](Scene& scene) {
+    std::erase_if(scene.objects, [](const Object& o) { return o.name != "tank"; });
+    for (Material& m : scene.materials) m.base_color = m.emission = glm::dvec3(0.5);
+  });
+  GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+  const double mean = mean_radiance(gpu, setup->settings, 2);
+  std::printf("radiance %.5f\n", mean);
+  // Discs reach beyond the room's edges: what they lose there is the map's bias, and less when it is gathered from.
+  EXPECT_NEAR(mean, 1, GetParam() == Quality::final ? 0.01 : 0.03);
+}
+INSTANTIATE_TEST_SUITE_P(Qualities, Furnace, testing::Values(Quality::draft, Quality::final),
+                         [](const auto& tested) { return tested.param == Quality::draft ? "draft" : "final"; });
+
+// Water, menisci and white walls: every kind of path carries light. By photons from the targets, by photons from the
+// lights alone, and by no photons at all: one answer.
+TEST(OneAnswer, OfPhotonsAndPaths) {
+  REQUIRE_DEVICE();
+  RenderOptions options = test::small_options(300000, 64, 48);
+  options.diffuse_bounces = 2;
+  const auto render = [&](Integrator integrator, Quality quality, std::uint32_t samples, std::uint32_t passes) {
+    options.integrator = integrator;
+    options.quality = quality;
+    options.samples = samples;
+    const auto setup = test::make_setup("tank", options);
+    if (integrator == Integrator::path) {
+      reference::ReferenceBackend cpu(setup->world, setup->settings);
+      return mean_radiance(cpu, setup->settings, passes);
+    }
+    GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+    return mean_radiance(gpu, setup->settings, passes);
+  };
+  const double path = render(Integrator::path, Quality::final, 80, 1);
+  const double gathered = render(Integrator::targeted, Quality::final, 8, 4);
+  const double shown = render(Integrator::targeted, Quality::draft, 4, 4);
+  const double ordinary = render(Integrator::ordinary, Quality::final, 4, 10);
+  std::printf("radiance: path %.5f, gathered %.5f, map %.5f, ordinary %.5f\n", path, gathered, shown, ordinary);
+  EXPECT_NEAR(gathered, path, 0.02 * path);
+  EXPECT_NEAR(shown, path, 0.03 * path);
+  EXPECT_NEAR(ordinary, path, 0.02 * path);
+}
+
+}  // namespace
+}  // namespace meniscal
