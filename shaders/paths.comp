@@ -238,9 +238,18 @@ void main() {
       met += 1u;
       continue;
     }
-    if (HAS_SCATTERING && push.scatterings > 0u && (camera || !first || map == MAP_GLOBAL)) {
+    if (HAS_SCATTERING && (push.scatterings > 0u || push.keeps_caustics != 0u) && (camera || !first || map == MAP_GLOBAL)) {
       uint numbers = DIM_FIRST_SCATTERING + SCATTERING_DIMENSIONS * scattered;
-      float stops = scattered == push.scatterings ? 1.0 : camera || scattered == 0u ? 0.0 : storing_probability(surface.albedo);
+      // Of the global map's photons: light that is direct, or that the other maps have.
+      bool theirs = !camera && scattered == 0u && (met == 0u || push.keeps_caustics == 0u);
+      float stops = theirs                         ? 0.0
+                    : scattered == push.scatterings ? 1.0
+                    : camera                        ? 0.0
+                                                    : storing_probability(surface.albedo);
+      if (theirs && push.scatterings == 0u) {
+        end = END_DROPPED;
+        break;
+      }
       if (random_unit(random, numbers) >= stops) {
         vec3 normal = camera && dot(point.shading, side) > 0.0 ? point.shading : side;
         path.throughput *= surface.albedo / (1.0 - stops);

@@ -38,17 +38,18 @@ void choose_size(RenderSettings& settings, const RenderOptions& options) {
                                              settings.crop.y1, settings.width, settings.height));
 }
 
-// Interreflection is smooth: discs hold some fifty photons where these are spread over the scene evenly. Fewer where
-// they are gathered from, which evens out noise, but not what discs lose beyond the edges of surfaces.
+// Interreflection is smooth: discs hold some two hundred photons where these are spread over the scene evenly. Fewer
+// where they are gathered from, which evens out noise, but not what discs lose beyond the edges of surfaces.
 void set_global(RenderSettings& settings, const RenderOptions& options, const World& world) {
-  settings.final_gathering = settings.diffuse_bounces > 0 && options.quality == Quality::final;
-  settings.global.scatterings = settings.diffuse_bounces - (settings.final_gathering ? 1 : 0);
-  if (settings.global.scatterings == 0) return;
-  const std::uint32_t photons = std::max(options.photons_per_pass(settings.crop.pixels()) / 4, 1000u);
+  if (settings.diffuse_bounces == 0) return;
+  const bool gathered = options.quality == Quality::final;
+  settings.final_gathering = gathered;
+  settings.global.scatterings = settings.diffuse_bounces - (gathered ? 1 : 0);
+  settings.global.keeps_caustics = gathered;
+  const std::uint32_t photons = std::max(options.photons_per_pass(settings.crop.pixels()) / (gathered ? 4 : 2), 1000u);
   settings.global.beams = global_beams(world, photons, settings.integrator == Integrator::ordinary);
   if (settings.global.beams.empty()) return;
-  const double held = settings.final_gathering ? 20 : 50;
-  const double radius = world.radius * std::sqrt(held / settings.global.count());
+  const double radius = world.radius * std::sqrt((gathered ? 20.0 : 200.0) / settings.global.count());
   settings.global.discs = {radius, radius};
 }
 

@@ -83,6 +83,7 @@ void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& set
   push.beams = static_cast<std::uint32_t>(set.beams.size());
   push.stream = global ? shared::STREAM_GLOBAL : shared::STREAM_BEAM;
   push.scatterings = set.scatterings;
+  push.keeps_caustics = set.keeps_caustics ? 1 : 0;
   push.keeps_specular = settings.integrator == Integrator::ordinary ? 1 : 0;
   push.buffer_first = first_photon;
   push.shrink = static_cast<float>(grid.discs.shrink);

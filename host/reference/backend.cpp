@@ -61,13 +61,15 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
         continue;
       }
       const glm::dvec3 position(sample.position), normal(sample.normal);
-      const auto found = caustics_map.estimate(position, normal);
       const auto set = [](glm::vec3& irradiance, float& count, const Density& density) {
         irradiance = glm::vec3(density.irradiance);
         count = static_cast<float>(density.photons);
       };
-      set(sample.targeted, sample.targeted_count, found[shared::MAP_TARGETED]);
-      set(sample.caustic, sample.caustic_count, found[shared::MAP_CAUSTIC]);
+      if (shows_caustics(view)) {
+        const auto found = caustics_map.estimate(position, normal);
+        set(sample.targeted, sample.targeted_count, found[shared::MAP_TARGETED]);
+        set(sample.caustic, sample.caustic_count, found[shared::MAP_CAUSTIC]);
+      }
       if (shows_global(settings_, view))
         set(sample.global, sample.global_count, global_map.estimate(position, normal)[shared::MAP_GLOBAL]);
     }

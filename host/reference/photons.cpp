@@ -151,13 +151,15 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
     const double choice = decide(dimension + 1);
     dimension += shared::BOUNCE_DIMENSIONS;
     const std::uint32_t numbers = shared::DIM_FIRST_SCATTERING + shared::SCATTERING_DIMENSIONS * scattered;
-    const double stops = scattered == set.scatterings ? 1
-                         : scattered == 0             ? 0
-                                                      : double(shared::storing_probability(surface.albedo));
+    // Of the global map's photons: light that is direct, or that the other maps have.
+    const bool theirs = global && scattered == 0 && (met == 0 || !set.keeps_caustics);
+    const double stops = theirs                         ? 0
+                         : scattered == set.scatterings ? 1
+                                                        : double(shared::storing_probability(surface.albedo));
     // Direct light; or, of photons that set out for the global map, what beams towards the targets have.
     const bool counted_elsewhere =
         map == shared::MAP_GLOBAL ? specular && settings.integrator != Integrator::ordinary : !specular;
-    if (first && counted_elsewhere) {
+    if ((first && counted_elsewhere) || (theirs && !specular && set.scatterings == 0)) {
       photon.end = shared::END_DROPPED;
       break;
     }

@@ -75,7 +75,9 @@ inline std::vector<View> views_of(const RenderSettings& settings) {
     views.push_back({settings.samples + i, shared::BRANCH_ROULETTE, true});
   return views;
 }
-// Whether the global map lights that view's samples.
+// Which maps light that view's samples. What is gathered from has all light but the direct in the global map: a bounce
+// later a caustic needs no fine discs, which are dear to look up.
+inline bool shows_caustics(const View& view) { return !view.bounced; }
 inline bool shows_global(const RenderSettings& settings, const View& view) {
   return settings.global.count() > 0 && view.bounced == settings.final_gathering;
 }

@@ -158,7 +158,7 @@ Tallies GpuBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
     if (*map) (*map)->grids = 0;
   for (const View& view : views_of(p.settings)) {
     p.paths.trace_camera(p.commands, p.settings, pass, view);
-    if (p.caustics) p.light(*p.caustics, pass, tallies);
+    if (p.caustics && shows_caustics(view)) p.light(*p.caustics, pass, tallies);
     if (p.global && shows_global(p.settings, view)) p.light(*p.global, pass, tallies);
     take(p.samples(), view);
   }

@@ -51,7 +51,8 @@ enum class Integrator { targeted, ordinary, path };
 struct PhotonSet {
   std::vector<shared::Beam> beams;  // in order of their first photons; none: no photons
   Discs discs;                      // of pass 0
-  std::uint32_t scatterings = 0;    // diffuse ones of a photon, at the most; 0: it ends at the first diffuse surface
+  std::uint32_t scatterings = 0;    // diffuse ones of a photon, at the most
+  bool keeps_caustics = false;      // of the global map: it has what the other maps have, too
   std::uint32_t count() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }
 };
 

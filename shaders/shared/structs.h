@@ -134,6 +134,7 @@ struct PathPush {
   // Of photons.
   uint beams, stream;       // stream: of random numbers, of the first beam
   uint scatterings;         // of the global map: diffuse ones at the most; 0: of the other maps, that end at the first
+  uint keeps_caustics;      // photons of the global map: those that the other maps have, too
   uint keeps_specular;      // photons that start on lights: those that meet a specular surface first count, too
   float shrink;             // of the beams' reaches in this pass
   float narrowest, widest;  // bounds of a disc's half-widths, m; equal: all discs are round
