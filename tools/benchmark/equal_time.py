@@ -26,7 +26,7 @@ class Renderer:
     def render(self, passes, *options):
         """CPU seconds, the statistics, the channels."""
         spent, statistics = self.meniscal.render(self.scene, self.output, "--resolution", RESOLUTION, "--photons", PHOTONS,
-                                                 "--passes", passes, "--samples", 1, *options)
+                                                 "--passes", passes, "--samples", 1, "--diffuse-bounces", 0, *options)
         return spent, statistics, exr.read(self.output)
 
     def passes_for(self, *options):

@@ -25,7 +25,7 @@ class Sweep:
     def render(self, scene, photons, side):
         """CPU seconds, and the peaks of device and host, bytes."""
         options = (scene, os.path.join(self.folder, "growth.exr"), "--resolution", f"{side}x{side}", "--photons", photons, "--passes", 1,
-                   "--samples", 1)
+                   "--samples", 1, "--diffuse-bounces", 0)
         spent, statistics = self.meniscal.render(*options, warm=True)
         if spent < LONG:
             spent = min(spent, self.meniscal.render(*options, warm=True, repeats=3)[0])
