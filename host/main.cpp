@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   meniscal::add_info(app);
   meniscal::add_mesh(app);
   meniscal::add_devices(app);
+  meniscal::add_merge(app);
   meniscal::add_compare(app);
 
   return meniscal::run(app, argc, argv);

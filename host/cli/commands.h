@@ -10,6 +10,7 @@ void add_render(CLI::App& app);
 void add_info(CLI::App& app);
 void add_mesh(CLI::App& app);
 void add_devices(CLI::App& app);
+void add_merge(CLI::App& app);
 void add_compare(CLI::App& app);
 
 }  // namespace meniscal

@@ -74,7 +74,8 @@ void render(const RenderOptions& options) {
 
   const Stopwatch writing;
   Image image = film.image(settings.width, settings.height);
-  describe(image, scene, settings, options.meniscus, run, total.seconds());
+  describe_settings(image, scene, settings, options.meniscus, options.map_scale);
+  describe_passes(image, {run.passes}, total.seconds());
   write_exr(options.output, image);
   if (options.preview) write_preview(*options.preview, image, options.tonemap, options.exposure);
   run.seconds["write"] = writing.seconds();

@@ -5,12 +5,9 @@
 
 #include "host/render/backend.h"
 #include "host/render/film.h"
+#include "host/render/pass_ranges.h"
 
 namespace meniscal {
-
-struct PassRange {
-  std::uint32_t first = 0, last = 0;  // first <= pass < last
-};
 
 // Renders the passes in order. `after_pass` hears how many are done; it returns false to stop there. Gives the sum of
 // all passes' tallies.

@@ -1,31 +1,19 @@
 // The built program: exit codes and messages.
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "gtest/gtest.h"
 #include "host/image/exr.h"
-#include "tests/unit/image_temporary_folder.h"
+#include "tests/unit/program.h"
 
 namespace meniscal {
 namespace {
 
+using test::meniscal;
+using test::Outcome;
 using test::TemporaryFolder;
 
-struct Outcome {
-  int code;
-  std::string output, error;
-};
-
 const std::string kPool = "render \"" SCENES "/flat_water.gltf\"";
-
-Outcome meniscal(const TemporaryFolder& folder, const std::string& arguments, const std::string& prefix = "") {
-  const std::string out = folder / "stdout", err = folder / "stderr";
-  const std::string command = prefix + "\"" MENISCAL_PROGRAM "\" " + arguments + " >\"" + out + "\" 2>\"" + err + "\"";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::read_bytes(out), test::read_bytes(err)};
-}
 
 void write_grey(const std::string& path, float value, int width = 2) {
   Image image;
@@ -43,7 +31,7 @@ TEST(Program, SaysItsVersion) {
 
 TEST(Program, EveryCommandHasHelpWithAnExample) {
   const TemporaryFolder folder;
-  for (const std::string command : {"", "render", "info", "mesh", "devices", "compare"}) {
+  for (const std::string command : {"", "render", "info", "mesh", "devices", "merge", "compare"}) {
     const Outcome o = meniscal(folder, command + " --help");
     EXPECT_EQ(o.code, 0) << command;
     EXPECT_NE(o.output.find("Example: meniscal " + command), std::string::npos) << o.output;
@@ -61,6 +49,8 @@ TEST(Program, WrongUsageIsTwoAndNamesWhatIsWrong) {
                                                        {"mesh a.gltf -o ./a.gltf", "the scene itself"},
                                                        {"mesh a.gltf -o a.obj", "a.obj"},
                                                        {"mesh a.gltf -o a.glb --meniscus round", "--meniscus"},
+                                                       {"merge -o c.exr", "IMAGE"},
+                                                       {"merge a.exr b.exr", "--output"},
                                                        {"compare a.exr", "B"},
                                                        {"compare a.exr b.exr --max-rmse nan", "--max-rmse"}};
   for (const auto& [arguments, named] : cases) {
