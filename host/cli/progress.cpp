@@ -78,10 +78,12 @@ void Progress::begin(const std::string& stage, long total) {
   show();
 }
 
+void Progress::expect(long total) { state_.total = total; }
+
 void Progress::update(long done) {
   state_.done = done;
   const auto interval = style_ == ProgressStyle::bar ? std::chrono::milliseconds(100) : std::chrono::seconds(1);
-  if (done >= state_.total || Clock::now() - shown_ >= interval) show();
+  if ((done >= state_.total && state_.total > 0) || Clock::now() - shown_ >= interval) show();
 }
 
 void Progress::show() {

@@ -37,6 +37,7 @@ class Progress {
   ~Progress();
 
   void begin(const std::string& stage, long total);
+  void expect(long total);  // otherwise than at the beginning
   void update(long done);
   void clear();  // wipes a terminal's line for what is said next
 

@@ -12,8 +12,7 @@
 namespace meniscal {
 namespace {
 
-constexpr int kMaxSide = 65536;            // pixels; what is allocated is checked against memory later
-constexpr double kMaxPasses = 0x7FFFFFFF;  // the pilot takes the random numbers of those beyond
+constexpr int kMaxSide = 65536;  // pixels; what is allocated is checked against memory later
 
 // "a,b,c" -> {"a", "b", "c"}; an empty text is one empty part.
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -136,10 +135,19 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       ->type_name("N")
       ->transform(whole(1, 1 << 30))
       ->default_str(by_quality([](Quality q) { return preset(q).photons_per_pixel; }));
-  command.add_option("--passes", options.passes, "Passes to run")
+  command.add_option("--passes", options.passes, "Passes to run at most")
       ->type_name("N")
-      ->transform(whole(1, kMaxPasses))
-      ->default_str(by_quality([](Quality q) { return preset(q).passes; }));
+      ->transform(whole(1, most_passes))
+      ->default_str(by_quality([](Quality q) { return preset(q).passes; }) +
+                    "; no limit with --time or --target-error");
+  command.add_option("--time", options.time, "Ends the program after so long; a pass that would not fit is not begun")
+      ->type_name("SECONDS")
+      ->check(positive());
+  command
+      .add_option("--target-error", options.target_error,
+                  "Stops once the image's relative error, estimated from at least 8 passes, is E")
+      ->type_name("E")
+      ->check(positive());
   command.add_option("--samples", options.samples, "Camera rays a pixel and pass: the more, the smoother edges are")
       ->type_name("N")
       ->transform(whole(1, 1 << 16))
@@ -235,8 +243,8 @@ void finish(RenderOptions& options) {
 }  // namespace
 
 PassRange RenderOptions::passes_to_run() const {
-  if (!pass_range) return {0, passes.value_or(preset(quality).passes)};
-  return {pass_range->first, std::min(pass_range->last, passes.value_or(pass_range->last))};
+  if (pass_range) return {pass_range->first, std::min(pass_range->last, passes.value_or(pass_range->last))};
+  return {0, passes.value_or(time || target_error ? most_passes : preset(quality).passes)};
 }
 
 void add_meniscus_options(CLI::App& command, MeniscusModel& model, double& tolerance) {

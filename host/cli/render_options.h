@@ -51,7 +51,9 @@ struct RenderOptions {
   Integrator integrator = Integrator::targeted;
   Quality quality = Quality::final;
   std::optional<std::uint32_t> photons;  // per pass; not given: the quality's
-  std::optional<std::uint32_t> passes;   // not given: the quality's, or the range's
+  std::optional<std::uint32_t> passes;   // not given: the range's, or no limit where there is another, or the quality's
+  std::optional<double> time;            // of the whole process, seconds
+  std::optional<double> target_error;    // estimated, relative
   std::optional<std::uint32_t> samples;  // camera rays a pixel and pass; not given: the quality's
   std::optional<PassRange> pass_range;
   std::optional<double> radius;  // of round footprints in pass 0, metres; not given: each photon has its own

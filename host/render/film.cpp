@@ -62,12 +62,7 @@ const std::vector<std::string>& aov_names() {
 }
 
 Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale, const glm::dvec3& origin)
-    : crop_(crop),
-      scale_(scale),
-      origin_(origin),
-      pass_(crop.pixels()),
-      beauty_(crop.pixels()),
-      squares_(crop.pixels()) {
+    : crop_(crop), scale_(scale), origin_(origin), pass_(crop.pixels()), beauty_(crop.pixels()) {
   for (const Aov& a : all_aovs())
     if (std::find(aovs.begin(), aovs.end(), a.name) != aovs.end())
       aovs_.push_back({a.name, a.channels, std::vector<double>(crop.pixels() * a.channels.size())});
@@ -110,23 +105,12 @@ void Film::add_bounced(const std::vector<PixelSample>& samples) {
   }
 }
 
-void Film::end_pass() {
-  for (std::size_t i = 0; i < pass_.size(); ++i) {
-    const glm::dvec3 mean = pass_[i] / double(pass_samples_);
-    beauty_[i] += mean;
-    squares_[i] += mean * mean;
-    pass_[i] = glm::dvec3(0);
-  }
-  ++passes_;
+void Film::end_pass(std::uint32_t pass) {
+  for (glm::dvec3& pixel : pass_) pixel /= double(pass_samples_);
+  beauty_.add(pass, pass_);
+  std::fill(pass_.begin(), pass_.end(), glm::dvec3(0));
   samples_ += pass_samples_;
   pass_samples_ = 0;
-}
-
-glm::dvec3 Film::variance(std::size_t pixel) const {
-  if (passes_ < 2) return glm::dvec3(0);
-  const double n = passes_;
-  const glm::dvec3 mean = beauty_[pixel] / n;
-  return glm::max((squares_[pixel] / n - mean * mean) / (n - 1), glm::dvec3(0));
 }
 
 Image Film::image(std::uint32_t full_width, std::uint32_t full_height) const {
@@ -137,34 +121,23 @@ Image Film::image(std::uint32_t full_width, std::uint32_t full_height) const {
   image.y0 = static_cast<int>(crop_.y0);
   image.full_width = static_cast<int>(full_width);
   image.full_height = static_cast<int>(full_height);
-  const double scale = passes_ > 0 ? 1.0 / passes_ : 0, aov_scale = samples_ > 0 ? 1.0 / samples_ : 0;
+  const double scale = samples_ > 0 ? 1.0 / samples_ : 0;
 
   Layer beauty{"", rgb, {}};
-  for (const glm::dvec3& sum : beauty_)
-    for (int c = 0; c < 3; ++c) beauty.pixels.push_back(static_cast<float>(sum[c] * scale));
+  for (std::size_t i = 0; i < beauty_.pixels(); ++i)
+    for (int c = 0; c < 3; ++c) beauty.pixels.push_back(static_cast<float>(beauty_.mean(i)[c]));
   image.layers.push_back(std::move(beauty));
   for (const Sum& sum : aovs_) {
     Layer layer{sum.name, sum.channels, {}};
     if (sum.name == "variance") {
-      for (std::size_t i = 0; i < beauty_.size(); ++i)
-        for (int c = 0; c < 3; ++c) layer.pixels.push_back(static_cast<float>(variance(i)[c]));
+      for (std::size_t i = 0; i < beauty_.pixels(); ++i)
+        for (int c = 0; c < 3; ++c) layer.pixels.push_back(static_cast<float>(beauty_.variance(i)[c]));
     } else {
-      for (double v : sum.values) layer.pixels.push_back(static_cast<float>(v * aov_scale));
+      for (double v : sum.values) layer.pixels.push_back(static_cast<float>(v * scale));
     }
     image.layers.push_back(std::move(layer));
   }
   return image;
-}
-
-double Film::error_estimate() const {
-  if (passes_ < 2) return -1;
-  double variances = 0, squares = 0;
-  for (std::size_t i = 0; i < beauty_.size(); ++i) {
-    const glm::dvec3 mean = beauty_[i] / double(passes_);
-    variances += mean_of(variance(i));
-    squares += mean_of(mean * mean);
-  }
-  return squares > 0 ? std::sqrt(variances / squares) : 0;
 }
 
 }  // namespace meniscal

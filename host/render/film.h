@@ -5,6 +5,7 @@
 
 #include "host/image/layers.h"
 #include "host/render/backend.h"
+#include "host/render/pass_sums.h"
 
 namespace meniscal {
 
@@ -25,16 +26,14 @@ class Film {
 
   // The samples of one view of a pass; after its last, end_pass.
   void add(const std::vector<shared::PixelSample>& samples, const View& view = {});
-  void end_pass();
-  std::uint32_t passes() const { return passes_; }
+  void end_pass(std::uint32_t pass);
+  std::uint32_t passes() const { return beauty_.passes(); }
 
   // Means over the passes: the beauty and the layers asked for. `variance` is that of the mean, per channel, from the
   // spread of the passes; 0 while there is but one.
   Image image(std::uint32_t full_width, std::uint32_t full_height) const;
 
-  // Relative standard error of the image: sqrt(sum of variances / sum of squares) over all pixels; negative for fewer
-  // than two passes.
-  double error_estimate() const;
+  double error_estimate() const { return beauty_.error_estimate(); }
 
  private:
   struct Sum {
@@ -43,16 +42,14 @@ class Film {
     std::vector<double> values;  // over all samples
   };
   void add_bounced(const std::vector<shared::PixelSample>& samples);
-  glm::dvec3 variance(std::size_t pixel) const;
 
   Crop crop_;
   MapScale scale_;
   glm::dvec3 origin_;
-  std::uint32_t passes_ = 0;
-  std::uint32_t samples_ = 0;                 // a pixel's, of all passes; split paths once
-  std::uint32_t pass_samples_ = 0;            // of the pass that is under way: a pixel's, split paths once
-  std::vector<glm::dvec3> pass_;              // their sum
-  std::vector<glm::dvec3> beauty_, squares_;  // over the passes
+  std::uint32_t samples_ = 0;       // a pixel's, of all passes; split paths once
+  std::uint32_t pass_samples_ = 0;  // of the pass that is under way: a pixel's, split paths once
+  std::vector<glm::dvec3> pass_;    // their sum
+  PassSums beauty_;
   std::vector<Sum> aovs_;
 };
 

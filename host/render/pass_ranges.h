@@ -8,6 +8,8 @@
 
 namespace meniscal {
 
+constexpr std::uint32_t most_passes = 0x7FFFFFFF;  // the pilot takes the random numbers of those beyond
+
 struct PassRange {
   std::uint32_t first = 0, last = 0;  // first <= pass < last
   std::uint32_t count() const { return last - first; }

@@ -102,6 +102,7 @@ Json statistics_json(const World& world, const RenderSettings& settings, Meniscu
           {"triangles", world.triangles.size()},
           {"photons", photons_json(world, run, passes)},
           {"passes", passes},
+          {"stopped_by", to_text(run.stop)},
           {"radius_m", radius_json(settings, run.passes)},
           {"error_estimate", run.error_estimate < 0 ? Json() : Json(run.error_estimate)},
           {"seconds", seconds},

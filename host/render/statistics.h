@@ -7,6 +7,7 @@
 #include "host/render/film.h"
 #include "host/render/plan.h"
 #include "host/render/progressive.h"
+#include "host/render/stopping.h"
 
 namespace meniscal {
 
@@ -14,6 +15,7 @@ struct RunStatistics {
   Backend::Statistics backend;
   Tallies tallies;                        // sums over the passes
   PassRange passes;                       // that were rendered
+  Stop stop = Stop::passes;               // why there were no more
   double error_estimate = -1;             // negative: unknown
   std::map<std::string, double> seconds;  // of the host's stages: load, write, total
 };

@@ -74,6 +74,15 @@ TEST(RenderOptions, PassRangeIsCutByPasses) {
   EXPECT_EQ(std::make_pair(cut.first, cut.last), std::make_pair(16u, 20u));
 }
 
+TEST(RenderOptions, TimeAndTargetErrorLiftTheQualitysLimitOfPasses) {
+  EXPECT_EQ(parse("a --time 3").passes_to_run().last, most_passes);
+  EXPECT_EQ(parse("a --time 3").time, 3);
+  EXPECT_EQ(parse("a --target-error 0.01").passes_to_run().last, most_passes);
+  EXPECT_EQ(parse("a --target-error 0.01").target_error, 0.01);
+  EXPECT_EQ(parse("a --time 3 --passes 5").passes_to_run().last, 5u);
+  EXPECT_EQ(parse("a --time 3 --pass-range 2:5").passes_to_run().last, 5u);
+}
+
 class Refused : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Refused, WithTheOptionsName) {
@@ -98,8 +107,9 @@ INSTANTIATE_TEST_SUITE_P(
                       "--map-scale targeted=nan", "--map-scale targeted=-1", "--map-scale targeted=1,",
                       "--tonemap filmic", "--meniscus flat", "--meniscus-tolerance 0", "--exposure nan",
                       "--exposure bright", "--aov depth,colour", "--diffuse-bounces -1", "--quiet --json-progress",
-                      "--integrator light", "--quality best", "--time 3", "--output a", "--output ./b/../a",
-                      "--preview a", "--preview p.png --output ./p.png", "--stats p --preview p"));
+                      "--integrator light", "--quality best", "--time 0", "--time nan", "--time -1", "--target-error 0",
+                      "--target-error inf", "--output a", "--output ./b/../a", "--preview a",
+                      "--preview p.png --output ./p.png", "--stats p --preview p"));
 
 TEST(RenderOptions, SceneIsNeeded) { EXPECT_THROW(parse("--passes 3"), CLI::RequiredError); }
 
