@@ -17,6 +17,7 @@
 #include "host/image/png.h"
 #include "host/passes/fetch_probe.h"
 #include "host/reference/backend.h"
+#include "host/render/checkpoint.h"
 #include "host/render/gpu_backend.h"
 #include "host/render/header.h"
 #include "host/render/statistics.h"
@@ -38,6 +39,46 @@ void require_outputs(const RenderOptions& options) {
   require_writable(options.output);
   if (options.preview) require_writable(*options.preview);
   if (options.stats) require_writable(*options.stats);
+  if (options.checkpoint) require_writable(*options.checkpoint);
+}
+
+// Keeps the film now and then; a disk that is full in between is no reason to lose what is there.
+class Keeper {
+ public:
+  Keeper(std::string file, Identity identity) : file_(std::move(file)), identity_(std::move(identity)) {}
+  void keep(const Checkpoint& checkpoint, Film& film) const { save_checkpoint(file_, identity_, checkpoint, film); }
+  void keep_now_and_then(const Checkpoint& checkpoint, Film& film) {
+    if (kept_ && kept_->seconds() < 10) return;
+    try {
+      keep(checkpoint, film);
+    } catch (const Error& error) {
+      fmt::print(stderr, "meniscal: warning: {}\n", error.what());
+    }
+    kept_ = Stopwatch();
+  }
+  // Where to go on: empty without a file. It must hold the first of the passes asked for.
+  Checkpoint resume(const PassRange& asked, Film& film) const {
+    const Checkpoint found =
+        load_checkpoint(file_, identity_, film).value_or(Checkpoint{{asked.first, asked.first}, {}, 0});
+    if (found.passes.first != asked.first || found.passes.last > asked.last)
+      throw Error(ExitCode::scene,
+                  fmt::format("{}: it holds passes {}, which are not the first of {}; ask for other passes, or leave "
+                              "--resume out to start anew",
+                              file_, to_text({found.passes}), to_text({asked})));
+    return found;
+  }
+
+ private:
+  std::string file_;
+  Identity identity_;
+  std::optional<Stopwatch> kept_;
+};
+
+Identity identity_of_run(const RenderOptions& options, const Scene& scene, const RenderSettings& settings,
+                         const Film& film) {
+  Image frame = film.image(settings.width, settings.height);
+  describe_settings(frame, scene, settings, options.meniscus, options.map_scale);
+  return identity_of(frame);
 }
 
 // What the program still takes after the last pass, measured: 30 to 45 ns a number of the image to compress and write
@@ -66,18 +107,33 @@ void render(const RenderOptions& options) {
   focus(settings, options, world, *backend);
   Film film(settings.crop, options.aovs, options.map_scale, scene.origin);
   const PassRange asked = options.passes_to_run();
+  Checkpoint so_far{{asked.first, asked.first}, {}, 0};
+  std::optional<Keeper> keeper;
+  if (options.checkpoint) keeper.emplace(*options.checkpoint, identity_of_run(options, scene, settings, film));
+  if (options.resume) so_far = keeper->resume(asked, film);
+  const double seconds_before = so_far.seconds;
+
   Stopping stopping(
       {asked, options.time, options.target_error}, [&] { return total.seconds(); }, seconds_to_end(options, settings));
   progress.begin("passes", stopping.expected_passes(film));
-  run.tallies = render_passes(*backend, asked, film, [&](std::uint32_t done) {
-    stopping.pass_ended();
-    const std::optional<Stop> stop = interrupted() ? Stop::interrupt : stopping.reached(film);
-    run.stop = stop.value_or(Stop::passes);
-    progress.expect(stopping.expected_passes(film));
-    progress.update(done);
-    return !stop;
-  });
-  run.passes = {asked.first, asked.first + film.passes()};
+  std::optional<Stop> stop;
+  if (film.passes() > 0) stop = stopping.reached(film);
+  if (!stop)
+    render_passes(
+        *backend, {so_far.passes.last, asked.last}, film,
+        [&](const Tallies& tallies) {
+          so_far = {{asked.first, asked.first + film.passes()}, tallies, seconds_before + total.seconds()};
+          if (keeper) keeper->keep_now_and_then(so_far, film);
+          stopping.pass_ended();
+          stop = interrupted() ? Stop::interrupt : stopping.reached(film);
+          progress.expect(stopping.expected_passes(film));
+          progress.update(film.passes());
+          return !stop;
+        },
+        so_far.tallies);
+  run.stop = stop.value_or(Stop::passes);
+  run.tallies = so_far.tallies;
+  run.passes = so_far.passes;
   run.error_estimate = film.error_estimate();
   run.backend = backend->statistics();
   if (run.backend.traversal_limits > 0)
@@ -87,12 +143,13 @@ void render(const RenderOptions& options) {
   const Stopwatch writing;
   Image image = film.image(settings.width, settings.height);
   describe_settings(image, scene, settings, options.meniscus, options.map_scale);
-  describe_passes(image, {run.passes}, total.seconds());
+  describe_passes(image, {run.passes}, seconds_before + total.seconds());
   write_exr(options.output, image);
   if (options.preview) write_preview(*options.preview, image, options.tonemap, options.exposure);
   run.seconds["write"] = writing.seconds();
   run.seconds["total"] = total.seconds();
   if (options.stats) write_file(*options.stats, statistics_json(world, settings, options.meniscus, run).dump(2) + "\n");
+  if (keeper) keeper->keep(so_far, film);
   if (interrupted())
     throw Error(ExitCode::interrupted,
                 fmt::format("interrupted after {} passes; {} holds the image so far", film.passes(), options.output));

@@ -205,6 +205,11 @@ void add_output_options(CLI::App& command, RenderOptions& options) {
       ->default_str("ward");
   command.add_option("--exposure", options.exposure, "Brightens the preview by 2^EV")->type_name("EV")->check(finite());
   command.add_option("--stats", options.stats, "Statistics to write")->type_name("FILE.json");
+  CLI::Option* checkpoint =
+      command.add_option("--checkpoint", options.checkpoint, "Keeps the rendering so far, every 10 s and at the end");
+  checkpoint->type_name("FILE");
+  command.add_flag("--resume", options.resume, "Goes on from the checkpoint; without one, starts anew")
+      ->needs(checkpoint);
   command.add_flag("--quiet", options.quiet, "No progress");
   command
       .add_flag("--json-progress", options.json_progress,
@@ -217,6 +222,7 @@ void require_own_names(const RenderOptions& options) {
   std::vector<std::pair<std::string, std::string>> names = {{"SCENE", options.scene}, {"--output", options.output}};
   if (options.preview) names.emplace_back("--preview", *options.preview);
   if (options.stats) names.emplace_back("--stats", *options.stats);
+  if (options.checkpoint) names.emplace_back("--checkpoint", *options.checkpoint);
   for (std::size_t j = 1; j < names.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (is_same_file(names[i].second, names[j].second))

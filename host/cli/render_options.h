@@ -69,7 +69,9 @@ struct RenderOptions {
   ToneMap tonemap = ToneMap::ward;
   std::optional<double> exposure;    // EV
   std::optional<std::string> stats;  // JSON
-  std::vector<std::string> aovs;     // of aov_names(), in that order, "all" resolved
+  std::optional<std::string> checkpoint;
+  bool resume = false;            // from the checkpoint
+  std::vector<std::string> aovs;  // of aov_names(), in that order, "all" resolved
 
   bool quiet = false, json_progress = false;
 

@@ -33,6 +33,14 @@ class Film {
   // spread of the passes; 0 while there is but one.
   Image image(std::uint32_t full_width, std::uint32_t full_height) const;
 
+  // Reads or writes all sums of whole passes, in double precision.
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(samples_);
+    beauty_.exchange(archive);
+    for (Sum& sum : aovs_) archive(sum.values);
+  }
+
   double error_estimate() const { return beauty_.error_estimate(); }
 
  private:

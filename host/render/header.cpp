@@ -32,13 +32,17 @@ void describe_settings(Image& image, const Scene& scene, const RenderSettings& s
   image.text["software"] = "meniscal " MENISCAL_VERSION;
   image.text["sceneHash"] = scene.hash;
   image.text["meniscusModel"] = model == MeniscusModel::none ? "none" : "paper";
-  image.text["integrator"] = settings.integrator == Integrator::ordinary ? "ordinary" : "targeted";
+  image.text["integrator"] = settings.integrator == Integrator::path       ? "path"
+                             : settings.integrator == Integrator::ordinary ? "ordinary"
+                                                                           : "targeted";
+  image.text["interreflection"] = settings.final_gathering ? "gathered" : "map";
   image.text["mapScale"] = fmt::format("targeted={},caustic={},global={}", scale.targeted, scale.caustic, scale.global);
   image.text["footprints"] = settings.caustics.discs.round() ? "round" : own_footprints;
   image.numbers["seed"] = settings.seed;
   image.numbers["photonsPerPass"] = settings.caustics.count();
   image.numbers["samplesPerPass"] = settings.samples;
   image.numbers["specularBounces"] = settings.specular_bounces;
+  image.numbers["diffuseBounces"] = settings.diffuse_bounces;
   if (!settings.caustics.beams.empty()) image.numbers["radius"] = disc_radius(settings, 0);
 
   glm::dmat4 to_world = settings.camera.pose;

@@ -26,6 +26,17 @@ class PassSums {
   // discs that have yet to shrink. Negative for fewer than two passes; of fewer than four, the noise alone.
   double error_estimate() const;
 
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(passes_);
+    archive(squares_);
+    for (Half& half : halves_) {
+      for (double* number : {&half.passes, &half.blurs, &half.square_blurs}) archive(*number);
+      archive(half.values);
+      archive(half.blurred);
+    }
+  }
+
  private:
   // Every other pass: what two halves agree on is no noise.
   struct Half {

@@ -9,9 +9,9 @@
 
 namespace meniscal {
 
-// Renders the passes in order. `after_pass` hears how many are done; it returns false to stop there. Gives the sum of
-// all passes' tallies.
+// Renders the passes in order. `after_pass` hears the sum of `tallies` and those of all passes so far; it returns false
+// to stop there. Gives that sum.
 Tallies render_passes(Backend& backend, const PassRange& passes, Film& film,
-                      const std::function<bool(std::uint32_t)>& after_pass);
+                      const std::function<bool(const Tallies&)>& after_pass, Tallies tallies = {});
 
 }  // namespace meniscal

@@ -113,7 +113,7 @@ TEST(Split, GivesTheLightOfRouletteWithLessNoise) {
       setup->settings.split = split;
       GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
       Film film(setup->settings.crop, {}, {});
-      render_passes(gpu, {1, 1 + passes}, film, [](std::uint32_t) { return true; });
+      render_passes(gpu, {1, 1 + passes}, film, [](const Tallies&) { return true; });
       const Image image = film.image(80, 60);
       for (float v : image.layers[0].pixels) mean[split] += double(v);
       noise[split] = film.error_estimate();
@@ -163,7 +163,7 @@ TEST(Samples, SmoothEdgesAsPassesDo) {
     setup->settings.samples = samples;
     GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
     Film film(setup->settings.crop, {"depth"}, {});
-    render_passes(gpu, {1, 1 + passes}, film, [](std::uint32_t) { return true; });
+    render_passes(gpu, {1, 1 + passes}, film, [](const Tallies&) { return true; });
     return film.image(40, 30).find("depth")->pixels;
   };
   const std::vector<float> truth = depth(16, 16), one = depth(1, 1), by_samples = depth(16, 1),
@@ -221,7 +221,7 @@ TEST_P(Seeds, GpuAndReferenceDifferByTheirVariance) {
     else
       backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
     Film film(setup->settings.crop, {"variance"}, {});
-    render_passes(*backend, {0, passes}, film, [](std::uint32_t) { return true; });
+    render_passes(*backend, {0, passes}, film, [](const Tallies&) { return true; });
     images[run] = film.image(32, 32);
   }
   double sum = 0, noise = 0, signal = 0;

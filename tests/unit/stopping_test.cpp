@@ -55,7 +55,7 @@ Ended render(FakeBackend& backend, const Limits& limits, double reserve = 0) {
   Stopping stopping(
       limits, [&] { return backend.now; }, reserve);
   std::optional<Stop> stop;
-  render_passes(backend, limits.passes, film, [&](std::uint32_t) {
+  render_passes(backend, limits.passes, film, [&](const Tallies&) {
     stopping.pass_ended();
     stop = stopping.reached(film);
     return !stop;
@@ -123,7 +123,7 @@ TEST(Stopping, SaysHowManyPassesThereWillBe) {
         limits, [&] { return backend.now; }, 0);
     std::uint32_t passes = 0;
     film = Film(kCrop, {}, {});
-    render_passes(backend, {0, 8}, film, [&](std::uint32_t) {
+    render_passes(backend, {0, 8}, film, [&](const Tallies&) {
       stopping.pass_ended();
       passes = stopping.expected_passes(film);
       return true;
