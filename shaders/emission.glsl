@@ -5,6 +5,7 @@ struct Emission {
   vec3 origin, direction;
   vec3 flux;      // of all photons
   uint triangle;  // of an area light
+  uvec4 media;    // that the light is inside of
 };
 
 vec3 around(vec3 axis, float sine, float cosine, float turn) {
@@ -27,7 +28,7 @@ bool scatter_diffusely(inout Path path, SurfacePoint point, vec3 side, vec3 norm
 Emission emit(vec2 place, uint light_first, uint light_count, RandomKey key) {
   float rest, weight;
   Light light = fetch_light(pick(light_first, light_count, random_bits(key, DIM_LIGHT), rest, weight));
-  Emission e = Emission(light.position, light.direction, light.intensity * weight, NO_TRIANGLE);
+  Emission e = Emission(light.position, light.direction, light.intensity * weight, NO_TRIANGLE, light.media);
   if (light.type == LIGHT_DIRECTIONAL) {
     e.origin = SCENE_RADIUS * around(light.direction, sqrt(place.x), -1.01, place.y);
     e.flux *= 3.141592653589793 * SCENE_RADIUS * SCENE_RADIUS;

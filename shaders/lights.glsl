@@ -8,6 +8,7 @@ struct LightSample {
   uint triangle;       // of an area light, else NO_TRIANGLE
   vec3 normal;         // of an area light
   float extent;        // of an area light: root of its area over the probability of having chosen it, m; else 0
+  uvec4 media;         // that the light is inside of
 };
 
 const float FAR = 1e30;
@@ -15,7 +16,7 @@ const float FAR = 1e30;
 // `weight`: 1 / probability of having chosen this light. `place`, uniform in the unit square: picks the point of an area light.
 LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
   Light light = fetch_light(index);
-  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0);
+  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0, light.media);
   if (HAS_AREA && light.type == LIGHT_AREA) {
     float root = sqrt(place.x), v = place.y * root;
     vec3 on_light = light.position + (1.0 - root) * light.edge1 + v * light.edge2;

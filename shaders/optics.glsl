@@ -1,5 +1,5 @@
 // What happens to a path at a specular surface.
-#include "scene.glsl"
+#include "media.glsl"
 #include "differentials.glsl"
 #include "shared/random.h"
 
@@ -18,6 +18,7 @@ struct Path {
   uint triangle;         // it starts on
   vec3 throughput;
   vec3 absorption;       // of the medium it is in, 1/m
+  uvec4 media;           // dielectrics that it is inside of, where some lie in each other
   float radiance_scale;  // product of (n_beyond / n_arrival)^-2: for camera paths, not for photons
   Differential differential;  // by where it starts
   Differential by_light;      // by the point on an area light
@@ -25,7 +26,19 @@ struct Path {
 
 Path start_path(vec3 origin, vec3 direction, uint triangle, vec3 throughput) {
   Differential none = Differential(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-  return Path(origin, direction, triangle, throughput, vec3(0.0), 1.0, none, none);
+  return Path(origin, direction, triangle, throughput, vec3(0.0), uvec4(0u), 1.0, none, none);
+}
+
+void be_in(inout Path path, uvec4 media) {
+  path.media = media;
+  if (HAS_ABSORPTION) path.absorption = medium_absorption(media.x);
+}
+
+// Through a surface that is no optical event.
+void pass_straight(inout Path path, SurfacePoint point, uvec4 beyond) {
+  path.origin = leave(point.position, dot(path.direction, point.geometric) < 0.0 ? -point.geometric : point.geometric);
+  path.triangle = point.triangle;
+  be_in(path, beyond);
 }
 
 // `turned`: 1 or -1 times the shading normal bends; 0: the facet's.
@@ -41,7 +54,7 @@ void refract_differential(inout Differential d, SurfacePoint point, float turned
 // Sends the path on from a specular surface: mirror, Fresnel reflection or refraction by roulette with `random`, or straight through a
 // thin sheet. Returns the probability of reflection. Directions bend with the shading normal, sides are told by the geometric one; where the two disagree on the outcome's
 // side, the geometric one bends.
-float scatter_specular(inout Path path, SurfacePoint point, Surface surface, float random) {
+float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Crossing crossing, float random) {
   vec3 arrival = path.direction;
   bool front = dot(arrival, point.geometric) < 0.0;
   vec3 side = front ? point.geometric : -point.geometric;
@@ -57,6 +70,7 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, flo
   float eta = 1.0, transmitted = 1.0;
   if (HAS_DIELECTRIC && surface.kind == SPECULAR_DIELECTRIC) {
     eta = front ? 1.0 / surface.ior : surface.ior;
+    if (HAS_NESTED) eta = medium_ior(crossing.before.x) / medium_ior(crossing.beyond.x);
     float cosine = -dot(arrival, normal);
     reflectance = fresnel(cosine, eta, transmitted);
     reflected = random < reflectance;
@@ -92,6 +106,7 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, flo
       if (HAS_DIFFERENTIALS && HAS_AREA) refract_differential(path.by_light, point, turned, arrival, normal, eta, transmitted);
     }
   }
+  if (HAS_NESTED) be_in(path, reflected ? crossing.before : crossing.beyond);
   path.direction = normalize(path.direction);
   path.origin = leave(point.position, reflected ? side : -side);
   path.triangle = point.triangle;

@@ -82,6 +82,7 @@ Path camera_path(vec2 pixel) {
   if (orthographic) origin += offset;
   else forward += offset;
   Path path = start_path(origin, normalize(forward), NO_TRIANGLE, vec3(1.0));
+  if (HAS_NESTED) be_in(path, FETCH(view, 6u));
   if (HAS_DIFFERENTIALS)
     path.differential = camera_differential(2.0 / size.x * right, -2.0 / size.y * up, path.direction, length(forward), orthographic);
   return path;
@@ -127,6 +128,7 @@ void main() {
     if (HAS_EMISSION && beam.kind == START_ON_LIGHTS) {
       Emission e = emit(place, beam.light_first, push.light_count, random);
       path = start_path(e.origin, e.direction, e.triangle, e.flux * power);
+      if (HAS_NESTED) be_in(path, e.media);
     } else if (beam.kind == START_IN_VIEW) {
       Light light = fetch_light(beam.light);
       path = start_path(beam.corner + place.x * beam.u + place.y * beam.v, light.direction, NO_TRIANGLE, light.intensity * power);
@@ -143,6 +145,7 @@ void main() {
 
   uint met = 0u;        // specular surfaces since the start, or since the last diffuse one
   uint scattered = 0u;  // diffuse surfaces so far
+  bool passed = false;  // a surface that was no optical event
   uint dimension = DIM_FIRST_BOUNCE;
   LightSample light;
   vec3 unshadowed;
@@ -184,15 +187,17 @@ void main() {
       asking = false;
       path.direction = -light.direction;
       if (!missed) end = END_BLOCKED;
-      if (HAS_ABSORPTION && dot(light.direction, point.geometric) < 0.0 && light.distance < FAR) {
-        path.absorption = fetch_surface(point.material).absorption;
+      if (HAS_NESTED) be_in(path, light.media);
+      if (HAS_ABSORPTION && (HAS_NESTED || dot(light.direction, point.geometric) < 0.0) && light.distance < FAR) {
+        if (!HAS_NESTED) path.absorption = fetch_surface(point.material).absorption;
         absorb(path, light.distance);
         entered = dot(path.throughput, vec3(1.0 / 3.0));
       }
     } else if (missed) {
-      end = met + scattered == 0u && !camera ? END_DROPPED : END_ESCAPED;
+      end = met + scattered == 0u && !passed && !camera ? END_DROPPED : END_ESCAPED;
     } else {
       absorb(path, hit.t);
+      if (HAS_NESTED && met + scattered == 0u && !passed) entered = dot(path.throughput, vec3(1.0 / 3.0));
       point = surface_point(hit.triangle, hit.u, hit.v);
       if (HAS_DIFFERENTIALS) transfer(path.differential, path.direction, hit.t, point.geometric);
       if (HAS_DIFFERENTIALS && HAS_AREA) transfer(path.by_light, path.direction, hit.t, point.geometric);
@@ -202,7 +207,7 @@ void main() {
     Surface surface = fetch_surface(point.material);
     bool front = dot(point.geometric, path.direction) < 0.0;
     vec3 side = front ? point.geometric : -point.geometric;
-    bool first = met + scattered == 0u;
+    bool first = met + scattered == 0u && !passed;
     if (camera) {
       if (first) {
         s.depth = hit.t;
@@ -217,6 +222,16 @@ void main() {
       }
       map = point.meniscus != 0u ? MAP_TARGETED : MAP_CAUSTIC;
     }
+    Crossing crossing;
+    if (HAS_NESTED) {
+      crossing = cross_surface(path.media, point.material, surface, front);
+      bool beams_have_it = !camera && first && map == MAP_GLOBAL && push.keeps_specular == 0u;
+      if (passes_straight(crossing, surface) && !beams_have_it) {
+        pass_straight(path, point, crossing.beyond);
+        passed = true;
+        continue;
+      }
+    }
     bool specular = random_unit(random, dimension) < surface.specular;
     float choice = random_unit(random, dimension + 1u);
     dimension += BOUNCE_DIMENSIONS;
@@ -228,7 +243,7 @@ void main() {
       uint way = camera && scattered == 0u ? branch_way(push.branch, s.split, choice) : WAY_BY_ROULETTE;
       if (way != WAY_BY_ROULETTE) choice = way == WAY_REFLECTED ? 0.0 : 0.99999994;
       if (met < push.specular_bounces) {
-        float reflectance = scatter_specular(path, point, surface, choice);
+        float reflectance = scatter_specular(path, point, surface, crossing, choice);
         if (camera && scattered == 0u && reflectance > 0.0 && reflectance < 1.0) {
           path.throughput *= way_weight(push.branch, s.split, way, reflectance);
           if (way == WAY_REFLECTED) s.emitted = vec3(0.0);

@@ -25,19 +25,21 @@ layout(constant_id = 8) const float SCENE_RADIUS = 1.0;
 layout(constant_id = 9) const bool HAS_DIFFERENTIALS = true;  // paths carry the derivatives that shape photons' discs
 layout(constant_id = 10) const bool HAS_EMISSION = true;  // photons start on the lights
 layout(constant_id = 11) const bool HAS_SCATTERING = true;  // paths go on from diffuse surfaces
+layout(constant_id = 12) const bool HAS_NESTED = true;  // dielectrics lie in each other
 
 Surface fetch_surface(uint i) {
-  uvec4 a = FETCH(surfaces, 4u * i), b = FETCH(surfaces, 4u * i + 1u), c = FETCH(surfaces, 4u * i + 2u), d = FETCH(surfaces, 4u * i + 3u);
+  uvec4 a = FETCH(surfaces, 5u * i), b = FETCH(surfaces, 5u * i + 1u), c = FETCH(surfaces, 5u * i + 2u), d = FETCH(surfaces, 5u * i + 3u);
+  uvec4 e = HAS_NESTED ? FETCH(surfaces, 5u * i + 4u) : uvec4(0u);
   return Surface(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz), c.w,
-                 uintBitsToFloat(d.xyz), d.w);
+                 uintBitsToFloat(d.xyz), d.w, e.x, e.y, 0u, 0u);
 }
 
 Light fetch_light(uint i) {
-  uvec4 a = FETCH(lights, 6u * i), b = FETCH(lights, 6u * i + 1u), c = FETCH(lights, 6u * i + 2u);
-  uvec4 d = FETCH(lights, 6u * i + 3u), e = FETCH(lights, 6u * i + 4u), f = FETCH(lights, 6u * i + 5u);
+  uvec4 a = FETCH(lights, 7u * i), b = FETCH(lights, 7u * i + 1u), c = FETCH(lights, 7u * i + 2u);
+  uvec4 d = FETCH(lights, 7u * i + 3u), e = FETCH(lights, 7u * i + 4u), f = FETCH(lights, 7u * i + 5u);
   return Light(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz), c.w,
                uintBitsToFloat(d.xyz), uintBitsToFloat(d.w), uintBitsToFloat(e.xyz), e.w, uintBitsToFloat(f.x), uintBitsToFloat(f.y),
-               0.0, 0.0);
+               0.0, 0.0, HAS_NESTED ? FETCH(lights, 7u * i + 6u) : uvec4(0u));
 }
 
 // The i-th of numbers packed by four.

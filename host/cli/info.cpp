@@ -11,6 +11,7 @@
 #include "host/render/contacts.h"
 #include "host/render/plan.h"
 #include "host/scene/scene.h"
+#include "host/world/media.h"
 #include "host/world/menisci.h"
 #include "host/world/world.h"
 
@@ -108,9 +109,10 @@ Json cameras_of(const Scene& scene) {
   return list;
 }
 
-Json plan_of(const World& world) {
+Json plan_of(const Scene& scene, const World& world) {
   Json list = Json::array();
-  for (const PlanEntry& e : make_plan(world, RenderOptions{}.diffuse_bounces))
+  for (const PlanEntry& e :
+       make_plan(world, RenderOptions{}.diffuse_bounces, media_at(world, glm::dvec3(scene.cameras.front().pose[3]))))
     list.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
   return list;
 }
@@ -124,10 +126,17 @@ Json describe(const Scene& scene, const World& world) {
   for (const Object& o : scene.objects) triangles += o.mesh.triangles.size();
   std::vector<std::string> warnings = scene.warnings;
   warnings.insert(warnings.end(), world.warnings.begin(), world.warnings.end());
-  return {{"file", scene.file},         {"hash", scene.hash},           {"gravity_m_per_s2", scene.gravity},
-          {"triangles", triangles},     {"objects", objects_of(scene)}, {"materials", materials},
-          {"lights", lights_of(scene)}, {"cameras", cameras_of(scene)}, {"menisci", contacts_json(world)},
-          {"plan", plan_of(world)},     {"warnings", warnings}};
+  return {{"file", scene.file},
+          {"hash", scene.hash},
+          {"gravity_m_per_s2", scene.gravity},
+          {"triangles", triangles},
+          {"objects", objects_of(scene)},
+          {"materials", materials},
+          {"lights", lights_of(scene)},
+          {"cameras", cameras_of(scene)},
+          {"menisci", contacts_json(world)},
+          {"plan", plan_of(scene, world)},
+          {"warnings", warnings}};
 }
 
 std::string describe_material(const Json& m) {

@@ -139,6 +139,11 @@ void render(const RenderOptions& options) {
   if (run.backend.traversal_limits > 0)
     fmt::print(stderr, "meniscal: warning: {} rays were cut short in the hierarchy; the picture lacks their light\n",
                run.backend.traversal_limits);
+  if (run.backend.media_dropped > 0)
+    fmt::print(stderr,
+               "meniscal: warning: {} times a path was inside more than 4 transparent volumes at once; it forgot the "
+               "one of the lowest dielectric_priority\n",
+               run.backend.media_dropped);
 
   const Stopwatch writing;
   Image image = film.image(settings.width, settings.height);

@@ -8,6 +8,7 @@
 #include "host/error.h"
 #include "host/render/pilot.h"
 #include "host/render/plan.h"
+#include "host/world/media.h"
 
 namespace meniscal {
 namespace {
@@ -70,6 +71,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.diffuse_bounces = options.diffuse_bounces;
   settings.camera = find_camera(scene, options.camera);
   choose_size(settings, options);
+  settings.camera_media = media_at(world, camera_axes(settings.camera, settings.width, settings.height).origin);
   settings.footprint = pixel_footprint(world, settings);
   const std::uint32_t photons = options.photons_per_pass(settings.crop.pixels());
   // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.

@@ -1,5 +1,6 @@
 #include "host/passes/paths.h"
 
+#include "host/world/media.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/random.h"
@@ -7,7 +8,8 @@
 namespace meniscal::passes {
 namespace {
 
-gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, const RenderSettings& settings) {
+gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, const World& world,
+                           const RenderSettings& settings) {
   std::vector<gpu::Binding> layout = tables.layout();
   for (std::uint32_t binding : {BIND_ENDS, BIND_DISCS, BIND_SAMPLES}) layout.push_back({binding, gpu::Kind::storage});
   for (std::uint32_t binding : {BIND_BEAMS, BIND_VIEW})
@@ -19,7 +21,8 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
           sizeof(shared::PathPush),
           tables.constants({.differentials = !settings.caustics.discs.round(),
                             .emission = settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0,
-                            .scattering = settings.diffuse_bounces > 0})};
+                            .scattering = settings.diffuse_bounces > 0,
+                            .nested = !why_nested(world, settings.camera_media).empty()})};
 }
 
 shared::CameraView make_view(const RenderSettings& settings, std::uint32_t pass) {
@@ -35,6 +38,7 @@ shared::CameraView make_view(const RenderSettings& settings, std::uint32_t pass)
   view.crop_x = settings.crop.x0;
   view.crop_y = settings.crop.y0;
   view.crop_width = settings.crop.width();
+  view.media = settings.camera_media;
   view.jitter = pixel_jitter(settings, pass);
   view.most_shift = static_cast<float>(most_shift(settings));
   return view;
@@ -61,7 +65,7 @@ PathsPass::PathsPass(const gpu::Device& device, const World& world, const SceneT
       beams_(device, "beams", most_beams(world) * sizeof(shared::Beam)),
       global_beams_(device, "global beams", (global ? most_beams(world) : 0) * sizeof(shared::Beam)),
       view_(device, "camera", sizeof(shared::CameraView)),
-      pass_(make_pass(device, tables, settings)) {
+      pass_(make_pass(device, tables, world, settings)) {
   const auto bind = [&](const PhotonBuffers& photons, const gpu::Buffer& beams, const PixelTile& tile) {
     std::vector<gpu::Bound> bound = tables.bound();
     bound.push_back({BIND_ENDS, photons.ends});

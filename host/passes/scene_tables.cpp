@@ -39,7 +39,7 @@ std::vector<Texel> normal_texels(const World& world) {
   return texels;
 }
 
-static_assert(sizeof(shared::Surface) == 4 * sizeof(Texel) && sizeof(shared::Light) == 6 * sizeof(Texel));
+static_assert(sizeof(shared::Surface) == 5 * sizeof(Texel) && sizeof(shared::Light) == 7 * sizeof(Texel));
 
 std::vector<std::uint32_t> whole_texels(std::vector<std::uint32_t> values) {
   values.resize((values.size() + 3) / 4 * 4);
@@ -96,7 +96,7 @@ void SceneTables::collect_counters() {
 
 std::vector<std::uint32_t> SceneTables::constants(const PathFeatures& features) const {
   std::vector<std::uint32_t> constants = scene_constants;
-  for (const bool feature : {features.differentials, features.emission, features.scattering})
+  for (const bool feature : {features.differentials, features.emission, features.scattering, features.nested})
     constants.push_back(feature);
   return constants;
 }

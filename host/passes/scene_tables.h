@@ -11,6 +11,7 @@ struct PathFeatures {
   bool differentials = false;  // they carry them
   bool emission = false;       // photons start on the lights
   bool scattering = false;     // they go on from diffuse surfaces
+  bool nested = false;         // they keep count of the dielectrics that they are inside of
 };
 
 struct SceneTables {

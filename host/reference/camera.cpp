@@ -43,11 +43,13 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
       double(pixel_jitter(settings, pass)) * (glm::dvec2(shared::pixel_place(key, view.sample)) - 0.5);
   key.stream += view.sample;
   Path path = camera_ray(settings, axes, glm::dvec2(x, y) + 0.5 + inside);
+  be_in(path, world, unpack_media(settings.camera_media));
   shared::PixelSample sample{};
   sample.triangle = shared::END_CUT;
   glm::dvec3 emitted(0);
   const std::uint32_t scatterings = view.bounced ? 1 : 0;
   std::uint32_t dimension = shared::DIM_FIRST_BOUNCE, scattered = 0;
+  bool first = true;
   for (std::uint32_t met = 0; met <= settings.specular_bounces;) {  // specular surfaces since the last diffuse one
     const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) {
@@ -59,12 +61,14 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
     transfer(path.differential, path.ray.direction, hit->t, triangle.geometric);
     const shared::Surface& surface = world.surfaces[triangle.material];
     const bool front = glm::dot(triangle.geometric, path.ray.direction) < 0;
-    if (met + scattered == 0) {
+    if (first) {
       sample.depth = static_cast<float>(hit->t);
       sample.meniscus = triangle.meniscus ? 1.0f : 0.0f;
+      first = false;
     }
     const glm::dvec3 throughput = path.throughput * path.radiance_scale;
     if (front || surface.double_sided) emitted += throughput * glm::dvec3(surface.emission);
+    if (pass_straight(path, *hit, tracer)) continue;
     const bool specular = double(shared::random_unit(key, dimension)) < double(surface.specular);
     const float choice = shared::random_unit(key, dimension + 1);
     dimension += shared::BOUNCE_DIMENSIONS;

@@ -17,7 +17,7 @@ Emission emit(const Tracer& tracer, const glm::dvec2& place, const shared::Rando
       pick(world.cdf, world.light_first, world.lights.size(), shared::random_bits(key, shared::DIM_LIGHT));
   const shared::Light& light = world.lights[picked.index];
   const glm::dvec3 axis = glm::normalize(glm::dvec3(light.direction));
-  Emission e{{glm::dvec3(light.position), axis}, glm::dvec3(light.intensity) * picked.weight, no_triangle};
+  Emission e{{glm::dvec3(light.position), axis}, glm::dvec3(light.intensity) * picked.weight, no_triangle, light.media};
   if (light.type == shared::LIGHT_DIRECTIONAL) {
     e.ray.origin = world.radius * around(axis, std::sqrt(place.x), -1.01, place.y);
     e.flux *= pi * world.radius * world.radius;

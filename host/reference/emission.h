@@ -9,6 +9,7 @@ struct Emission {
   Ray ray;
   glm::dvec3 flux;         // of all photons
   std::uint32_t triangle;  // of an area light
+  glm::uvec4 media;        // that the light is inside of
 };
 
 // From one of the lights, by power. `place`, uniform in the square: where on the disc across a distant light, or where

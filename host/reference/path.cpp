@@ -2,11 +2,74 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include <algorithm>
 #include <limits>
 
 #include "host/reference/optics.h"
 
 namespace meniscal::reference {
+namespace {
+
+// The one of the highest rank, of these the last entered: what the path is in. None: air.
+const shared::Surface* medium_of(const World& world, const Media& media) {
+  const shared::Surface* medium = nullptr;
+  for (const std::uint32_t i : media)
+    if (!medium || world.surfaces[i].rank >= medium->rank) medium = &world.surfaces[i];
+  return medium;
+}
+
+// Takes the last one out.
+bool erase_last(Media& media, std::uint32_t surface) {
+  const auto found = std::find(media.rbegin(), media.rend(), surface);
+  if (found == media.rend()) return false;
+  media.erase(std::next(found).base());
+  return true;
+}
+
+// On the two sides of a dielectric surface. The path's own may be wrong: an open sheet of liquid can be gone round.
+struct Crossing {
+  Media before, beyond;
+};
+Crossing cross(const World& world, const Media& media, std::uint32_t surface, bool front) {
+  Media without = media, with = media;
+  const bool within = erase_last(without, surface);
+  if (!front || world.surfaces[surface].liquid) {
+    if (!within) with.push_back(surface);
+    return front ? Crossing{without, with} : Crossing{with, without};
+  }
+  with.push_back(surface);
+  return {media, with};
+}
+
+double ior_of(const shared::Surface* medium) { return medium ? double(medium->ior) : 1; }
+
+}  // namespace
+
+Media unpack_media(const glm::uvec4& packed) {
+  Media media;
+  for (int i = 3; i >= 0; --i)
+    if (packed[i] != 0) media.push_back((packed[i] & shared::MEDIUM_SURFACE_MASK) - 1);
+  return media;
+}
+
+void be_in(Path& path, const World& world, Media media) {
+  const shared::Surface* medium = medium_of(world, media);
+  path.absorption = medium ? glm::dvec3(medium->absorption) : glm::dvec3(0);
+  path.media = std::move(media);
+}
+
+bool pass_straight(Path& path, const Hit& hit, const Tracer& tracer) {
+  const World& world = tracer.world();
+  const WorldTriangle& triangle = world.triangles[hit.triangle];
+  if (world.surfaces[triangle.material].kind != shared::SPECULAR_DIELECTRIC) return false;
+  const bool front = glm::dot(path.ray.direction, triangle.geometric) < 0;
+  const auto [before, beyond] = cross(world, path.media, triangle.material, front);
+  if (medium_of(world, before) != medium_of(world, beyond)) return false;
+  be_in(path, world, beyond);
+  path.ray.origin = tracer.leave(hit.point, front ? -triangle.geometric : triangle.geometric);
+  path.triangle = hit.triangle;
+  return true;
+}
 
 double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random) {
   const World& world = tracer.world();
@@ -15,7 +78,10 @@ double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double
   const glm::dvec3 arrival = path.ray.direction;
   const bool front = glm::dot(arrival, triangle.geometric) < 0;
   const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
-  const double ior = double(surface.ior), eta = front ? 1 / ior : ior;
+  const bool dielectric = surface.kind == shared::SPECULAR_DIELECTRIC;
+  const Crossing crossing =
+      dielectric ? cross(world, path.media, triangle.material, front) : Crossing{path.media, path.media};
+  const double eta = ior_of(medium_of(world, crossing.before)) / ior_of(medium_of(world, crossing.beyond));
 
   glm::dvec3 normal = front ? hit.shading : -hit.shading;
   const std::array<Differential*, 2> differentials = {&path.differential, &path.by_light};
@@ -29,7 +95,7 @@ double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double
 
   bool reflected = true;
   double reflectance = 1;
-  if (surface.kind == shared::SPECULAR_DIELECTRIC) {
+  if (dielectric) {
     reflectance = fresnel_reflectance(-glm::dot(arrival, normal), eta);
     reflected = random < reflectance;
     if (!reflected && glm::dot(refract(arrival, normal, eta), side) >= 0) {
@@ -37,7 +103,7 @@ double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double
       reflected = refracted_cosine(-glm::dot(arrival, side), eta) < 0;
     }
   } else if (surface.kind == shared::SPECULAR_THIN) {
-    reflectance = sheet_reflectance(-glm::dot(arrival, normal), ior);
+    reflectance = sheet_reflectance(-glm::dot(arrival, normal), double(surface.ior));
     reflected = random < reflectance;
   }
   if (reflected && glm::dot(reflect(arrival, normal), side) <= 0) bend_with_facet();
@@ -48,13 +114,13 @@ double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double
     if (surface.kind == shared::SPECULAR_MIRROR) path.throughput *= glm::dvec3(surface.tint);
   } else {
     path.throughput *= glm::dvec3(surface.tint);
-    if (surface.kind == shared::SPECULAR_DIELECTRIC) {
+    if (dielectric) {
       for (int i = 0; i < 2; ++i) refract(*differentials[i], arrival, normal, dn[i], eta);
       path.ray.direction = refract(arrival, normal, eta);
       path.radiance_scale *= eta * eta;
-      path.absorption = front ? glm::dvec3(surface.absorption) : glm::dvec3(0);
     }
   }
+  be_in(path, world, reflected ? crossing.before : crossing.beyond);
   path.ray.direction = glm::normalize(path.ray.direction);
   path.ray.origin = tracer.leave(hit.point, reflected ? side : -side);
   path.triangle = hit.triangle;
@@ -93,6 +159,7 @@ LightSample sample_light(const World& world, std::uint32_t index, double weight,
   const shared::Light& light = world.lights[index];
   const glm::dvec3 axis = glm::normalize(glm::dvec3(light.direction));
   LightSample s{-axis, std::numeric_limits<double>::infinity(), glm::dvec3(light.intensity) * weight, no_triangle, {}};
+  s.media = light.media;
   if (light.type == shared::LIGHT_DIRECTIONAL) return s;
 
   glm::dvec3 on_light(light.position);

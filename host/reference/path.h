@@ -13,15 +13,27 @@ struct Perturbation {
   double roulette = 0;  // added to every random number that decides
 };
 
+// Dielectrics that a path is inside of, surfaces in the order in which it entered them.
+using Media = std::vector<std::uint32_t>;
+
 struct Path {
   Ray ray;
   std::uint32_t triangle = no_triangle;  // it starts on
   glm::dvec3 throughput{1};
+  Media media{};
   glm::dvec3 absorption{0};     // of the medium it is in, 1/m
   double radiance_scale = 1;    // product of (n_beyond / n_arrival)^-2: for radiance, not for flux
   Differential differential{};  // by where it starts
   Differential by_light{};      // by the point on an area light
 };
+
+// Media as the world's lights and the settings tell them.
+Media unpack_media(const glm::uvec4& media);
+// Starts in these media.
+void be_in(Path& path, const World& world, Media media);
+// Through a surface at which the medium that the path is in stays the same, as dielectrics lie in each other: true, and
+// the path goes straight on; else it is a specular surface.
+bool pass_straight(Path& path, const Hit& hit, const Tracer& tracer);
 
 // Sends the path on from `hit`: mirror, Fresnel reflection or refraction by roulette with `random` in [0, 1), or
 // straight through a thin sheet. Directions bend with the shading normal; where the outcome is then on the wrong side
@@ -47,6 +59,7 @@ struct LightSample {
   std::uint32_t triangle;  // of an area light
   glm::dvec3 normal;       // of an area light
   double extent = 0;       // of an area light: root of its area over the probability of having chosen it, m
+  glm::uvec4 media{0};     // that the light is inside of
 };
 
 // `weight`: 1 / probability of having chosen this light. `place`: uniform in the unit square, picks the point of an

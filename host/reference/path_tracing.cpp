@@ -11,10 +11,12 @@ shared::PixelSample trace_whole_path(const Tracer& tracer, const RenderSettings&
   shared::RandomKey key{settings.seed, pass, shared::STREAM_CAMERA, y * settings.width + x};
   const glm::dvec2 place(shared::pixel_place(key, index));
   Path path = camera_ray(settings, axes, glm::dvec2(x, y) + place);
+  be_in(path, world, unpack_media(settings.camera_media));
   shared::PixelSample sample{};
   sample.triangle = shared::END_ESCAPED;
   glm::dvec3 emitted(0);
   std::uint32_t met = 0, scattered = 0;  // specular surfaces since the last diffuse one; diffuse ones
+  bool passed = false;                   // straight through a surface, since the last diffuse one
   for (bool first = true; met <= settings.specular_bounces; first = false) {
     const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) break;
@@ -29,8 +31,12 @@ shared::PixelSample trace_whole_path(const Tracer& tracer, const RenderSettings&
       sample.meniscus = triangle.meniscus ? 1.0f : 0.0f;
     }
     // What a diffuse surface sees of the lights without anything between, it was told when it asked them.
-    if ((scattered == 0 || met > 0) && (front || surface.double_sided))
+    if ((scattered == 0 || met > 0 || passed) && (front || surface.double_sided))
       emitted += path.throughput * path.radiance_scale * glm::dvec3(surface.emission);
+    if (pass_straight(path, *hit, tracer)) {
+      passed = true;
+      continue;
+    }
 
     // Numbers of its own for each surface on the way.
     key.stream = shared::STREAM_CAMERA + index + 0x10000u * (scattered * (settings.specular_bounces + 1) + met);
@@ -56,6 +62,7 @@ shared::PixelSample trace_whole_path(const Tracer& tracer, const RenderSettings&
     ++scattered;
     path.throughput *= glm::dvec3(surface.albedo);
     met = 0;
+    passed = false;
     if (!scatter_diffusely(tracer, path, *hit, side, glm::dot(shading, side) > 0 ? shading : side,
                            {number(shared::DIM_FIRST_SCATTERING + 1), number(shared::DIM_FIRST_SCATTERING + 2)}))
       break;

@@ -52,9 +52,9 @@ Start start_on_target(const Tracer& tracer, const shared::Beam& beam, double are
   if (path.throughput == glm::dvec3(0) ||
       !visible(tracer, hit.point, hit.triangle, cosine > 0 ? triangle.geometric : -triangle.geometric, light)) {
     start.end = shared::END_BLOCKED;
-  } else if (cosine < 0 && std::isfinite(light.distance)) {
-    path.absorption = glm::dvec3(world.surfaces[triangle.material].absorption);
-    absorb(path, light.distance);
+  } else {
+    be_in(path, world, unpack_media(light.media));
+    if (std::isfinite(light.distance)) absorb(path, light.distance);
   }
   return start;
 }
@@ -69,6 +69,7 @@ Start meet_first(const Tracer& tracer, const Path& path, std::uint32_t map) {
   if (!hit) return start;
   const WorldTriangle& triangle = world.triangles[hit->triangle];
   start.hit = *hit;
+  absorb(start.path, hit->t);
   transfer(start.path.differential, path.ray.direction, hit->t, triangle.geometric);
   if (map != shared::MAP_GLOBAL && world.surfaces[triangle.material].specular == 0) return start;
   if (map != shared::MAP_GLOBAL) start.map = triangle.meniscus ? shared::MAP_TARGETED : shared::MAP_CAUSTIC;
@@ -96,6 +97,7 @@ Start start_on_light(const Tracer& tracer, double part, std::uint32_t map, const
   path.ray = {emission.ray.origin + shift, emission.ray.direction};
   path.triangle = emission.triangle;
   path.throughput = emission.flux * part;
+  be_in(path, tracer.world(), unpack_media(emission.media));
   return meet_first(tracer, path, map);
 }
 
@@ -144,7 +146,23 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
   Photon photon{global ? shared::MAP_GLOBAL : map, hit.point, {}, path.throughput, path.throughput, end};
   std::uint32_t dimension = shared::DIM_FIRST_BOUNCE;
   std::uint32_t met = 0, scattered = 0;  // specular surfaces since the start or the last diffuse one; diffuse ones
+  const auto go_on = [&] {
+    const auto next = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
+    if (!next) {
+      photon.end = shared::END_ESCAPED;
+      return;
+    }
+    absorb(path, next->t);
+    for (Differential* d : {&path.differential, &path.by_light})
+      transfer(*d, path.ray.direction, next->t, world.triangles[next->triangle].geometric);
+    hit = *next;
+  };
   for (bool first = true; photon.end == shared::END_CUT; first = false) {
+    const bool beams_have_it = first && map == shared::MAP_GLOBAL && settings.integrator != Integrator::ordinary;
+    if (!beams_have_it && pass_straight(path, hit, tracer)) {
+      go_on();
+      continue;
+    }
     const WorldTriangle& triangle = world.triangles[hit.triangle];
     const shared::Surface& surface = world.surfaces[triangle.material];
     const bool specular = decide(dimension) < double(surface.specular);
@@ -157,9 +175,8 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
                          : scattered == set.scatterings ? 1
                                                         : double(shared::storing_probability(surface.albedo));
     // Direct light; or, of photons that set out for the global map, what beams towards the targets have.
-    const bool counted_elsewhere =
-        map == shared::MAP_GLOBAL ? specular && settings.integrator != Integrator::ordinary : !specular;
-    if ((first && counted_elsewhere) || (theirs && !specular && set.scatterings == 0)) {
+    const bool counted_elsewhere = beams_have_it ? specular : first && map != shared::MAP_GLOBAL && !specular;
+    if (counted_elsewhere || (theirs && !specular && set.scatterings == 0)) {
       photon.end = shared::END_DROPPED;
       break;
     }
@@ -189,15 +206,7 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
       ++scattered;
       met = 0;
     }
-    const auto next = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
-    if (!next) {
-      photon.end = shared::END_ESCAPED;
-      break;
-    }
-    absorb(path, next->t);
-    for (Differential* d : {&path.differential, &path.by_light})
-      transfer(*d, path.ray.direction, next->t, world.triangles[next->triangle].geometric);
-    hit = *next;
+    go_on();
   }
   photon.flux = path.throughput;
   return photon;

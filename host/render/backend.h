@@ -113,6 +113,7 @@ class Backend {
     std::size_t bytes_peak = 0;               // device memory
     std::uint64_t rays = 0;
     std::uint64_t traversal_limits = 0;  // rays that were cut short: must be 0
+    std::uint64_t media_dropped = 0;     // more dielectrics in each other than paths keep count of: must be 0
   };
   virtual Statistics statistics() const = 0;
 };

@@ -193,7 +193,8 @@ Backend::Statistics GpuBackend::statistics() const {
           p.seconds(),
           p.device.bytes_peak(),
           p.tables.sums[shared::COUNTER_RAYS],
-          p.tables.sums[shared::COUNTER_TRAVERSAL_LIMIT]};
+          p.tables.sums[shared::COUNTER_TRAVERSAL_LIMIT],
+          p.tables.sums[shared::COUNTER_MEDIA_DROPPED]};
 }
 
 }  // namespace meniscal

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "host/world/media.h"
+
 namespace meniscal {
 namespace {
 
@@ -26,7 +28,7 @@ const Stratum* find_stratum(const World& world, const std::string& name) {
 
 }  // namespace
 
-Plan make_plan(const World& world, std::uint32_t diffuse_bounces) {
+Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uvec4& camera_media) {
   std::size_t contacts = 0;
   for (const LiquidReport& l : world.liquids) contacts += l.contacts.size();
   Plan plan;
@@ -52,6 +54,9 @@ Plan make_plan(const World& world, std::uint32_t diffuse_bounces) {
                          count_lights(world, [](const Light& l) { return l.type == shared::LIGHT_AREA; }),
                          "emissive triangles"));
   plan.push_back(counted("refraction", count_surfaces(world, shared::SPECULAR_DIELECTRIC), "refracting materials"));
+  const std::string nested = why_nested(world, camera_media);
+  plan.push_back(
+      {"nested dielectrics", !nested.empty(), nested.empty() ? "no two transparent volumes overlap" : nested});
   plan.push_back(counted("thin sheets", count_surfaces(world, shared::SPECULAR_THIN), "thin-walled materials"));
   plan.push_back(counted("mirrors", count_surfaces(world, shared::SPECULAR_MIRROR), "smooth metals"));
   plan.push_back(counted("absorption",

@@ -13,8 +13,8 @@ struct PlanEntry {
 };
 using Plan = std::vector<PlanEntry>;
 
-// `diffuse_bounces`: asked for.
-Plan make_plan(const World& world, std::uint32_t diffuse_bounces);
+// `diffuse_bounces`: asked for. `camera_media`: dielectrics that the camera is inside of.
+Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uvec4& camera_media);
 
 // Discs of pass 0 for the beams and pixels of the settings. `radius`: of the scene, m.
 Discs default_discs(const RenderSettings& settings, double radius);

@@ -62,9 +62,10 @@ struct RenderSettings {
   std::uint32_t width = 640, height = 480;
   Crop crop{0, 0, 640, 480};
   Camera camera;
-  PhotonSet caustics;    // of the targeted and the caustic map
-  PhotonSet global;      // of the global map; their discs are round
-  double footprint = 0;  // side of a pixel on what is seen, m
+  glm::uvec4 camera_media{0};  // dielectrics that it is inside of, as shared::medium_of
+  PhotonSet caustics;          // of the targeted and the caustic map
+  PhotonSet global;            // of the global map; their discs are round
+  double footprint = 0;        // side of a pixel on what is seen, m
   std::uint32_t specular_bounces = 8, diffuse_bounces = 0;
   // Interreflection: shown as the global map has it, or gathered by a diffuse bounce of as many more camera paths from
   // all maps and the lights.

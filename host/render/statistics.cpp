@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 Json plan_json(const World& world, const RenderSettings& settings) {
   Json entries = Json::array();
-  for (const PlanEntry& e : make_plan(world, settings.diffuse_bounces))
+  for (const PlanEntry& e : make_plan(world, settings.diffuse_bounces, settings.camera_media))
     entries.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
   return entries;
 }
@@ -108,6 +108,7 @@ Json statistics_json(const World& world, const RenderSettings& settings, Meniscu
           {"seconds", seconds},
           {"rays", run.backend.rays},
           {"rays_cut_short", run.backend.traversal_limits},
+          {"media_dropped", run.backend.media_dropped},
           {"bytes", {{"device_peak", run.backend.bytes_peak}, {"host_peak", host_peak_bytes()}}}};
 }
 

@@ -124,8 +124,6 @@ Material read_material(const tinygltf::Material& source, std::size_t index, Mess
   if (material.liquid) {
     complete_liquid(source, material);
   }
-  if (material.dielectric_priority)
-    messages.warn(object, "dielectric_priority is not used yet: overlapping dielectrics refract as against air");
   return material;
 }
 

@@ -24,6 +24,7 @@ shared::Surface make_surface(const Material& m, bool closed) {
   if (s.kind == shared::SPECULAR_DIELECTRIC) s.absorption = glm::vec3(m.absorption);
   s.emission = glm::vec3(m.emission);
   s.double_sided = m.double_sided ? 1 : 0;
+  s.liquid = m.liquid || m.target ? 1 : 0;
   return s;
 }
 

@@ -8,6 +8,7 @@
 #include "host/stopwatch.h"
 #include "host/world/light_view.h"
 #include "host/world/lights.h"
+#include "host/world/media.h"
 #include "host/world/menisci.h"
 #include "host/world/surfaces.h"
 #include "shaders/shared/random.h"
@@ -98,10 +99,12 @@ void build_strata(World& world) {
 std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
   const std::size_t materials = scene.materials.size();
   std::vector<bool> on_open(materials, false), on_closed(materials, false);
+  std::vector<int> priorities;  // by surface
   for (const Object& o : scene.objects) (o.closed ? on_closed : on_open)[o.material] = true;
   const auto add = [&](const Material& m, bool closed) {
     world.surfaces.push_back(make_surface(m, closed));
     world.material_names.push_back(m.name);
+    priorities.push_back(dielectric_priority(m));
     return static_cast<std::uint32_t>(world.surfaces.size() - 1);
   };
   std::vector<std::uint32_t> closed_surface;
@@ -121,6 +124,7 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
   for (std::size_t i = 0; i < materials; ++i)
     if (on_closed[i] && on_open[i] && world.surfaces[i].kind == shared::SPECULAR_THIN)
       closed_surface[i] = add(scene.materials[i], true);
+  rank_dielectrics(world.surfaces, priorities);
   return closed_surface;
 }
 
@@ -138,6 +142,7 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
     if (m.liquid) {
       const meniscus::Surface& surface = (next++)->surface;
       append(world.triangles, surface.mesh, material, &surface.meniscus, false);
+      add_volume(world, object, material, &surface.mesh);
       world.liquids.push_back(
           {object.name, surface.contacts,
            static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1))});
@@ -148,7 +153,9 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
           fmt::format("{}: object \"{}\": its faces point inward, so it is a cavity in its own material; turn its "
                       "normals outward for a solid",
                       scene.file, object.name));
-    append(world.triangles, object.mesh, object.closed ? closed_surface[material] : material, nullptr, m.target);
+    const std::uint32_t surface = object.closed ? closed_surface[material] : material;
+    append(world.triangles, object.mesh, surface, nullptr, m.target);
+    add_volume(world, object, surface, nullptr);
   }
   world.meniscus_seconds = watch.seconds();
   if (world.triangles.empty())
@@ -160,6 +167,7 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
   world.lights = make_lights(scene, world.triangles, world.surfaces, world.radius);
   world.area_lights = std::any_of(world.lights.begin(), world.lights.end(),
                                   [](const shared::Light& l) { return l.type == shared::LIGHT_AREA; });
+  find_media(world);
   build_strata(world);
   return world;
 }

@@ -39,6 +39,15 @@ struct Stratum {
   double area = 0;                     // m2
 };
 
+// What a dielectric fills.
+struct Volume {
+  std::string name;
+  std::uint32_t surface;               // index
+  bool liquid;                         // below `mesh`; else inside it
+  meniscus::TriangleMesh mesh, level;  // level: a liquid's, without menisci
+  glm::dvec3 low, high;                // bounds
+};
+
 // What building a liquid's menisci gave, for `info` and the statistics.
 struct LiquidReport {
   std::string liquid;
@@ -58,6 +67,8 @@ struct World {
   std::vector<std::uint32_t> cdf;  // of targets, then twice of lights: cumulative probability in units of 2^-32
   std::uint32_t light_first = 0;   // where the lights' part of the CDF begins
   std::uint32_t near_first = 0;    // the same for lights without a view, the others left out
+  std::vector<Volume> volumes;     // of dielectrics
+  std::string nested;              // which of them lie in each other, or what light is in one that absorbs; empty: none
   Bvh bvh;
   double radius = 0;  // of a sphere round the local origin that holds everything
   std::vector<LiquidReport> liquids;

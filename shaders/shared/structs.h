@@ -18,7 +18,15 @@ struct Surface {
   uint kind;          // SPECULAR_*
   vec3 emission;      // radiance
   uint double_sided;  // emits on both sides
+  uint rank;          // dielectrics: above 0; where volumes overlap, the higher wins
+  uint liquid;        // dielectrics: 1 where it may be an open sheet with the liquid below
+  uint pad0, pad1;
 };
+
+// Dielectrics that something is inside of, as uvec4: those of higher rank first, of one rank the one entered last; then
+// zeros. Each is its rank and its surface's index + 1.
+const uint MEDIUM_SURFACE_BITS = 20u, MEDIUM_SURFACE_MASK = 0xFFFFFu;
+SHARED uint medium_of(uint rank, uint surface) { return (rank << MEDIUM_SURFACE_BITS) | (surface + 1u); }
 
 const uint LIGHT_DIRECTIONAL = 0u, LIGHT_POINT = 1u, LIGHT_SPOT = 2u, LIGHT_AREA = 3u;
 
@@ -37,6 +45,7 @@ struct Light {
   // versine keeps the digits that a cosine near 1 loses).
   float cone_scale, cone_versine;
   float pad0, pad1;
+  uvec4 media;  // that it is inside of
 };
 
 // A path's end where it is no triangle.
@@ -151,6 +160,7 @@ struct CameraView {
   float jitter;      // part of a pixel's side that rays spread over, round its centre
   float most_shift;  // from where a ray ends to where the pixel's centre sees, m; beyond, differentials tell nothing
   uint pad1;
+  uvec4 media;  // that the eye is inside of
 };
 
 struct ProbePush {
@@ -195,7 +205,8 @@ const uint GATHER_ROUND = 32768u;
 const uint TRAVERSAL_LIMIT = 4096u;
 
 // Counters of what must never happen or must be known.
-const uint COUNTER_TRAVERSAL_LIMIT = 0u, COUNTER_MOST_CANDIDATES = 1u, COUNTER_RAYS = 2u, COUNTERS = 4u;
+const uint COUNTER_TRAVERSAL_LIMIT = 0u, COUNTER_MOST_CANDIDATES = 1u, COUNTER_RAYS = 2u,
+           COUNTER_MEDIA_DROPPED = 3u, COUNTERS = 4u;
 
 SHARED_END
 #endif

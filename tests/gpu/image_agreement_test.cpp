@@ -97,7 +97,7 @@ TEST_P(ImageAgreement, ValidationLayerIsSilent) {
   EXPECT_TRUE(device.validation_messages().empty()) << device.validation_messages().front();
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ImageAgreement, testing::Values("post", "shadow_sausage", "area_light"),
+INSTANTIATE_TEST_SUITE_P(Scenes, ImageAgreement, testing::Values("post", "shadow_sausage", "area_light", "beaker"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 // Seen through water, or two panes and water, a pixel's light is the same by roulette, on average, and by split paths,

@@ -34,6 +34,8 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   EXPECT_EQ(surface.kind, 12u);
   EXPECT_EQ(surface.emission, vec3(13, 14, 15));
   EXPECT_EQ(surface.double_sided, 16u);
+  EXPECT_EQ(surface.rank, 17u);
+  EXPECT_EQ(surface.liquid, 18u);
   const auto light = lights.download<shared::Light>()[1];
   EXPECT_EQ(light.position, vec3(1, 2, 3));
   EXPECT_EQ(light.type, 4u);
@@ -47,6 +49,7 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   EXPECT_EQ(light.triangle, 20u);
   EXPECT_EQ(light.cone_scale, 21);
   EXPECT_EQ(light.cone_versine, 22);
+  EXPECT_EQ(light.media, glm::uvec4(25, 26, 27, 28));
   const auto end = ends.download<shared::PhotonEnd>()[1];
   EXPECT_EQ(end.position, vec3(1, 2, 3));
   EXPECT_EQ(end.end, 4u);

@@ -7,7 +7,7 @@ import os
 import sys
 
 from gltf_writer import Scene, rotation
-from shapes import box, boxes, cylinder, frame, sphere, square
+from shapes import box, boxes, cup, cylinder, frame, sphere, square
 
 MM = 1e-3
 CAMERA_DEPTH = 6 * MM       # below every meniscus and every stub: the camera sees the floor directly
@@ -163,7 +163,29 @@ def shadow_sausage():
     return scene
 
 
-SCENES = {"area_light": area_light, "behind_glass": behind_glass, "box": box_scene, "flat_water": flat_water, "point_light": point_light, "post": post,
+def clear(scene, name, ior, **properties):
+    return scene.material(name, roughness=0, extensions={
+        "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": ior},
+        "KHR_materials_volume": properties.pop("volume", {"thicknessFactor": 1 * MM})}, **properties)
+
+
+def beaker():
+    """A glass rod in a glass beaker of water: volumes that overlap, as is usual where they touch."""
+    scene = Scene()
+    scene.mesh("table", square(150 * MM, -2 * MM), matte(scene, "table", (0.5, 0.42, 0.3), meniscus_ignore=1))
+    glass = clear(scene, "glass", 1.5, meniscus_contact_angle=20)
+    scene.mesh("beaker", cup(25 * MM, 27 * MM, -1.5 * MM, 50 * MM, 1 * MM, 128), glass)
+    water = clear(scene, "water", 1.333, meniscus_liquid="water",
+                  volume={"thicknessFactor": 30 * MM, "attenuationDistance": 60 * MM, "attenuationColor": [0.5, 0.8, 0.9]})
+    scene.mesh("water", cylinder(25.5 * MM, (0, 0.5 * MM, 0), (0, 32 * MM, 0), 128), water)  # 0.5 mm into the beaker's wall and floor
+    scene.mesh("rod", cylinder(3 * MM, (-12 * MM, 4 * MM, 0), (18 * MM, 68 * MM, 0), 96, 24), glass)
+    scene.light("sun", "directional", 2, (-70 * MM, 100 * MM, -40 * MM), (0, 0, 0))
+    scene.mesh("lamp", square(60 * MM, 250 * MM, facing=-1), matte(scene, "lamp", 0, emissive=6, meniscus_ignore=1))
+    scene.camera((0, 75 * MM, 150 * MM), (0, 22 * MM, 0), yfov=32, aspect=4 / 3)
+    return scene
+
+
+SCENES = {"area_light": area_light, "beaker": beaker, "behind_glass": behind_glass, "box": box_scene, "flat_water": flat_water, "point_light": point_light, "post": post,
           "post_stub": post_stub, "shadow_sausage": shadow_sausage, "sphere": sphere_scene, "spot_light": spot_light, "tank": tank,
           "three_lights": three_lights, "two_posts": two_posts}
 

@@ -50,6 +50,39 @@ def cylinder(radius, bottom, top, facets, segments=1):
     return positions, normals, triangles
 
 
+def cup(inner, outer, low, high, floor, facets):
+    """An open round beaker, closed as a solid: inner and outer radius, underside, rim, and the height of its floor."""
+    positions, normals, triangles = [], [], []
+    rim = [(math.cos(2 * math.pi * i / facets), math.sin(2 * math.pi * i / facets)) for i in range(facets)]
+
+    def ring(radius, y, radial, up):
+        first = len(positions)
+        for x, z in rim:
+            positions.append((radius * x, y, radius * z))
+            normals.append((radial * x, up, radial * z))
+        return first
+
+    def band(a, b):
+        for i in range(facets):
+            j = (i + 1) % facets
+            triangles.extend([(a + i, b + i, b + j), (a + i, b + j, a + j)])
+
+    def disc(ring, y, up):
+        middle = len(positions)
+        positions.append((0, y, 0))
+        normals.append((0, up, 0))
+        for i in range(facets):
+            j = (i + 1) % facets
+            triangles.append((middle, ring + j, ring + i) if up > 0 else (middle, ring + i, ring + j))
+
+    band(ring(outer, low, 1, 0), ring(outer, high, 1, 0))
+    band(ring(outer, high, 0, 1), ring(inner, high, 0, 1))
+    band(ring(inner, high, -1, 0), ring(inner, floor, -1, 0))
+    disc(ring(inner, floor, 0, 1), floor, 1)
+    disc(ring(outer, low, 0, -1), low, -1)
+    return positions, normals, triangles
+
+
 def sphere(radius, centre, around, rings):
     """A closed sphere of `rings` bands between the poles; an odd number has no ring of vertices at the equator."""
     positions, normals, triangles = [], [], []
