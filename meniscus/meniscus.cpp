@@ -205,6 +205,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
 
   for (const ContactLine& line : lines) result.contacts.push_back(describe(line, bodies[line.solid]));
   result.mesh = std::move(stitched.mesh);
+  result.within = std::move(stitched.within);
   result.meniscus = std::move(stitched.meniscus);
   share_out(result, stitched.line, lines, warnings);
   for (Warning& w : warnings) result.warnings.push_back(std::move(w.text));

@@ -63,6 +63,7 @@ struct Contact {
 struct Surface {
   TriangleMesh mesh;                   // always with normals: analytic on the menisci, the liquid's own elsewhere
   std::vector<std::uint8_t> meniscus;  // per triangle: 1 on a meniscus (a photon target), 0 on the rest of the liquid
+  TriangleMesh within;                 // the free surface where it goes on inside solids, up to the contact lines
   std::vector<Contact> contacts;
   std::vector<std::string> warnings;  // each names solid or liquid and says what was done
 };

@@ -21,8 +21,10 @@ void find_bases(Raised& raised, const Topology& liquid, const std::vector<std::u
       for (int i = 2; i >= 0; --i) normal_at[liquid.triangles[*t].points[i]] = liquid.triangles[*t].normals[i];
     }
   }
+  std::vector<bool> placed = raised.used;
+  for (const glm::uvec3& t : sheet.within) placed[t.x] = placed[t.y] = placed[t.z] = true;
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
-    if (!raised.used[i]) continue;
+    if (!placed[i]) continue;
     const Sheet::Vertex& vertex = sheet.vertices[i];
     if (vertex.node) {
       raised.base[i] = {vertex.node->position, vertex.node->liquid_normal};

@@ -16,9 +16,9 @@ struct Share {
 };
 
 struct Raised {
-  std::vector<bool> used;          // per vertex of the sheet: is it a corner of a triangle?
-  std::vector<Base> base;          // where it is on the level liquid, if used
-  std::vector<Lifted> at;          // and where it is raised to
+  std::vector<bool> used;          // per vertex of the sheet: is it a corner of a triangle outside the solids?
+  std::vector<Base> base;          // where it is on the level liquid, if it is a corner of any
+  std::vector<Lifted> at;          // and where it is raised to, if used; else the same
   std::vector<glm::dvec3> across;  // the normal there from the side of the vertex's other foot, on a crease
 };
 

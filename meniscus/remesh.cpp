@@ -173,6 +173,7 @@ Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<Conta
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const auto& v = triangles[t].v;
     if (!kept(t)) {
+      if (winding.patch[t] > 0) sheet.within.emplace_back(v[0], v[1], v[2]);
       for (int i = 0; i < 3 && winding.patch[t] > 0; ++i) {  // goes on into the untouched liquid
         const auto &a = sheet.vertices[v[(i + 1) % 3]].original, &b = sheet.vertices[v[(i + 2) % 3]].original;
         if (a && b && winding.patch[triangles[t].n[i]] <= 0) sheet.drowned.push_back(edge(*a, *b));

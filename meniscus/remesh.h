@@ -1,5 +1,5 @@
 // The patch of the liquid meshed anew: contact lines, band and what is left of the liquid's points in one
-// triangulation, from which everything inside the solids is taken out.
+// triangulation, in two parts: outside the solids and inside.
 #pragma once
 
 #include <optional>
@@ -25,6 +25,7 @@ struct Sheet {
   std::vector<Vertex> vertices;
   std::vector<glm::uvec3> triangles;  // counter-clockwise from above
   std::vector<bool> raised;           // per triangle: on a meniscus
+  std::vector<glm::uvec3> within;     // the same, inside solids
   std::vector<Edge> drowned;          // edges of the patch's border that lie inside a solid
   bool overlaps = false;              // the patch lies over itself in projection: nothing of this is of use
 

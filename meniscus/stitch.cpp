@@ -33,8 +33,7 @@ class Assembly {
     for (const std::uint32_t v : known) {
       if (result.mesh.normals[v] == normal) return v;
     }
-    const auto moved = moved_.find(point);
-    const std::uint32_t v = add(moved == moved_.end() ? liquid_.points[point] : moved->second, normal, ending_[point]);
+    const std::uint32_t v = add(position(point), normal, ending_[point]);
     known.push_back(v);
     return v;
   }
@@ -52,6 +51,19 @@ class Assembly {
   std::map<Edge, std::vector<Divided>> divided;
 
   void move(std::uint32_t point, const glm::dvec3& to) { moved_[point] = to; }
+  glm::dvec3 position(std::uint32_t point) const {
+    const auto moved = moved_.find(point);
+    return moved == moved_.end() ? liquid_.points[point] : moved->second;
+  }
+
+  // A triangle of the free surface inside a solid.
+  void within(const std::array<glm::dvec3, 3>& positions, const std::array<glm::dvec3, 3>& normals) {
+    TriangleMesh& mesh = result.within;
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), positions.begin(), positions.end());
+    mesh.normals.insert(mesh.normals.end(), normals.begin(), normals.end());
+    mesh.triangles.emplace_back(first, first + 1, first + 2);
+  }
   void set_ending(std::uint32_t point) { ending_[point] = true; }
 
   // An untouched triangle; a wall whose edge was divided becomes a fan.
@@ -126,7 +138,20 @@ Stitched stitch(const Topology& liquid, const std::vector<std::uint32_t>& surfac
 
   const std::vector<bool> drowned = find_drowned(liquid, surface, patch, sheet.drowned, bodies);
   for (std::uint32_t t = 0; t < liquid.triangles.size(); ++t) {
-    if (!patch.contains(t) && !drowned[t]) assembly.untouched(liquid.triangles[t]);
+    if (patch.contains(t)) continue;
+    const Topology::Triangle& triangle = liquid.triangles[t];
+    if (!drowned[t]) {
+      assembly.untouched(triangle);
+      continue;
+    }
+    std::array<glm::dvec3, 3> positions, normals;
+    for (int k = 0; k < 3; ++k) positions[k] = assembly.position(triangle.points[k]), normals[k] = triangle.normals[k];
+    assembly.within(positions, normals);
+  }
+  for (const glm::uvec3& t : sheet.within) {
+    std::array<glm::dvec3, 3> positions, normals;
+    for (int k = 0; k < 3; ++k) positions[k] = raised.at[t[k]].position, normals[k] = raised.base[t[k]].normal;
+    assembly.within(positions, normals);
   }
   constexpr std::uint32_t kNone = 0xffffffff;
   std::array<std::vector<std::uint32_t>, 2> index;  // of each vertex, and on creases of that with the other normal

@@ -98,6 +98,15 @@ void add_volume(World& world, const Object& object, std::uint32_t surface, const
   world.volumes.push_back(std::move(volume));
 }
 
+meniscus::TriangleMesh keep_seen(const World& world, meniscus::TriangleMesh within) {
+  std::erase_if(within.triangles, [&](const glm::uvec3& t) {
+    const glm::dvec3 centre = (within.positions[t.x] + within.positions[t.y] + within.positions[t.z]) / 3.0;
+    return std::none_of(world.volumes.begin(), world.volumes.end(),
+                        [&](const Volume& v) { return !v.liquid && count_inside(v, centre) > 0; });
+  });
+  return within;
+}
+
 void find_media(World& world) {
   const std::vector<Volume>& volumes = world.volumes;
   bool absorption = false;

@@ -17,6 +17,9 @@ void rank_dielectrics(std::span<shared::Surface> surfaces, std::span<const int> 
 // Notes what an object fills, if it is of a dielectric. `raised`: of a liquid, its surface with its menisci.
 void add_volume(World& world, const Object& object, std::uint32_t surface, const meniscus::TriangleMesh* raised);
 
+// The triangles of a liquid's surface inside solids that lie in one of the world's dielectrics.
+meniscus::TriangleMesh keep_seen(const World& world, meniscus::TriangleMesh within);
+
 // Finds which volumes lie in each other, and what the lights are in.
 void find_media(World& world);
 

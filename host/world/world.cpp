@@ -17,7 +17,7 @@ namespace meniscal {
 namespace {
 
 void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh& mesh, std::uint32_t material,
-            const std::vector<std::uint8_t>* meniscus, bool target) {
+            const std::vector<std::uint8_t>* meniscus, bool target, bool within = false) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     WorldTriangle t{};
     for (int k = 0; k < 3; ++k) {
@@ -33,6 +33,7 @@ void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh&
       if (glm::dot(n, t.geometric) < 0) n = -n;
     t.material = material;
     t.meniscus = target || (meniscus && (*meniscus)[i]);
+    t.within = within;
     triangles.push_back(t);
   }
 }
@@ -74,11 +75,15 @@ void append_cdf(std::vector<std::uint32_t>& cdf, std::size_t count, Weight weigh
 void build_strata(World& world) {
   Stratum targeted{.name = "targeted", .map = shared::MAP_TARGETED};
   Stratum caustic{.name = "caustic", .map = shared::MAP_CAUSTIC};
+  // Light from outside does not meet first what is inside solids.
+  const bool lit_within = std::any_of(world.lights.begin(), world.lights.end(),
+                                      [](const shared::Light& light) { return light.media.x != 0; });
   for (Stratum* s : {&targeted, &caustic}) {
     s->first = static_cast<std::uint32_t>(world.targets.size());
     for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
       const WorldTriangle& t = world.triangles[i];
       if (world.surfaces[t.material].specular == 0 || t.meniscus != (s == &targeted)) continue;
+      if (t.within && !lit_within) continue;
       world.targets.push_back(i);
       s->area += t.area;
     }
@@ -157,6 +162,10 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
     append(world.triangles, object.mesh, surface, nullptr, m.target);
     add_volume(world, object, surface, nullptr);
   }
+  // What is inside solids, light meets only where these let it in.
+  for (const LiquidSurface& liquid : liquids)
+    append(world.triangles, keep_seen(world, liquid.surface.within),
+           static_cast<std::uint32_t>(scene.objects[liquid.object].material), nullptr, false, true);
   world.meniscus_seconds = watch.seconds();
   if (world.triangles.empty())
     throw Error(ExitCode::scene, scene.file + ": no triangle with an area; nothing to render");

@@ -23,6 +23,7 @@ struct WorldTriangle {
   double area;                       // m2
   std::uint32_t material;            // index into surfaces
   bool meniscus;                     // of a meniscus, or of a material with `meniscus_target`
+  bool within;                       // of a liquid, inside a transparent solid
 };
 
 // A rectangle, corner and edges, across a distant light; see light_view.h.

@@ -168,6 +168,53 @@ TEST(Nested, FluxThroughWaterAndGlass) {
   }
 }
 
+// A block that refracts as water does, in the water and above it. Askew, so that rays in the middle meet no edge.
+std::unique_ptr<test::Setup> make_block(const RenderOptions& options, double centre, double half, double angle,
+                                        const std::function<void(Scene&)>& edit = {}) {
+  return test::make_setup("flat_water", options, [&](Scene& scene) {
+    for (Object& o : scene.objects)
+      for (glm::dvec3& p : o.mesh.positions) p += scene.origin;
+    scene.origin = glm::dvec3(0);
+    Material like_water;
+    like_water.name = "like water";
+    like_water.metallic = like_water.roughness = 0;
+    like_water.transmission = 1;
+    like_water.ior = water_ior;
+    like_water.contact_angle = angle;
+    scene.materials.push_back(like_water);
+    scene.objects.push_back(make_box("block", static_cast<int>(scene.materials.size()) - 1,
+                                     {centre - half, -40 * mm, -0.7 * half}, {centre + half, 10 * mm, half}));
+    if (edit) edit(scene);
+  });
+}
+
+// Looked into from above, out through its side below the water: it bends at its top alone.
+TEST(Nested, BlockLikeWaterIsInvisibleInIt) {
+  REQUIRE_DEVICE();
+  const double angle = 0.2;
+  for (const double contact : {90.0, 30.0}) {
+    SCOPED_TRACE(contact);
+    RenderOptions options = test::small_options(1000, 3, 3);
+    options.specular_bounces = 2;
+    const auto setup = make_block(options, 30 * mm * std::tan(angle) + 0.2 * mm, 2 * mm, contact,
+                                  [&](Scene& scene) { look_down(scene, 40 * mm, angle); });
+    const auto [x, part] = by_hand({{1, 30 * mm, 0}, {water_ior, 60 * mm, 0}}, angle);
+    expect_ray(*setup, x, part / (water_ior * water_ior));
+  }
+}
+
+// Light that falls through a block like water into water below it has met one surface.
+TEST(Nested, FluxThroughABlockLikeWater) {
+  REQUIRE_DEVICE();
+  RenderOptions options = test::small_options(400000, 16, 16);
+  options.specular_bounces = 2;
+  const auto setup = make_block(options, 0, 20 * mm, 90);
+  GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+  const Tally tally = test::render_pass(gpu, 0).tallies[shared::MAP_CAUSTIC];
+  const double part = std::accumulate(tally.flux_landed.begin(), tally.flux_landed.end(), 0.0) / tally.flux_in;
+  EXPECT_NEAR(part, 0.979627, 0.002);
+}
+
 // A lamp in the water shines through its water alone, and into the glass as from water.
 TEST(Nested, LampInWaterKnowsIt) {
   const auto setup = make_slabs(test::small_options(1000, 3, 3), true, [](Scene& scene) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "tests/support/meniscus/surface.h"
 
@@ -73,6 +74,32 @@ TEST(Build, AreaRemovedIsTheSolidsSectionAndTheBandIsARing) {
   const double outer = 2 * kMm + kSweep;
   EXPECT_NEAR(plan_area(surface, true), 0.5 * 128 * std::sin(2 * glm::pi<double>() / 128) * outer * outer - section,
               1e-9);
+}
+
+// What is within fills the holes: an edge that has but one triangle lies on the sheet's own border.
+TEST(Build, WithinSolidsTheSurfaceGoesOnWithoutAGap) {
+  const TriangleMesh tilted = turned(post(2 * kMm, -50 * kMm, 40 * kMm, 128), 45, {0, 0, -1});
+  for (const auto& [rod, cells] :
+       {std::pair(tall_post(128), 1), std::pair(tilted, 1), std::pair(post(12 * kMm, -50 * kMm, 10 * kMm, 64), 60)}) {
+    const Surface surface = build(water(sheet(30 * kMm, cells)), {solid(rod, 30)});
+    ASSERT_FALSE(surface.within.triangles.empty());
+    using Point = std::tuple<double, double, double>;
+    std::set<std::pair<Point, Point>> edges;
+    for (const TriangleMesh* mesh : {&surface.mesh, &surface.within})
+      for (const glm::uvec3& t : mesh->triangles)
+        for (int i = 0; i < 3; ++i) {
+          const dvec3 a = mesh->positions[t[i]], b = mesh->positions[t[(i + 1) % 3]];
+          EXPECT_TRUE(edges.emplace(Point(a.x, a.y, a.z), Point(b.x, b.y, b.z)).second);
+        }
+    std::size_t open = 0;
+    for (const auto& [a, b] : edges) {
+      if (edges.contains({b, a})) continue;
+      const double from_border =
+          std::max(std::abs(std::get<0>(a) + std::get<0>(b)), std::abs(std::get<2>(a) + std::get<2>(b)));
+      if (from_border < 2 * 29.999 * kMm) ++open;
+    }
+    EXPECT_EQ(open, 0u);
+  }
 }
 
 TEST(Build, NinetyDegreesLeavesOnlyTheHole) {

@@ -172,7 +172,7 @@ def clear(scene, name, ior, **properties):
 def beaker():
     """A glass rod in a glass beaker of water: volumes that overlap, as is usual where they touch."""
     scene = Scene()
-    scene.mesh("table", square(150 * MM, -2 * MM), matte(scene, "table", (0.5, 0.42, 0.3), meniscus_ignore=1))
+    scene.mesh("table", square(400 * MM, -2 * MM), matte(scene, "table", (0.5, 0.42, 0.3), meniscus_ignore=1))
     glass = clear(scene, "glass", 1.5, meniscus_contact_angle=20)
     scene.mesh("beaker", cup(25 * MM, 27 * MM, -1.5 * MM, 50 * MM, 1 * MM, 128), glass)
     water = clear(scene, "water", 1.333, meniscus_liquid="water",
