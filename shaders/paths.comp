@@ -102,7 +102,7 @@ void main() {
   uint light_first = push.light_first;
   Beam beam;                    // of a photon
   float power;
-  uint map;
+  uint map = MAP_TARGETED;
   PixelSample s;                // of a camera path
   vec2 inside;                  // place in its pixel
   if (camera) {

@@ -7,7 +7,7 @@ namespace {
 // Of the picture, over all pixels and channels.
 double mean_radiance(Backend& backend, const RenderSettings& settings, std::uint32_t passes) {
   Film film(settings.crop, {}, {});
-  render_passes(backend, {0, passes}, film, [](std::uint32_t) { return true; });
+  render_passes(backend, {0, passes}, film, [](const Tallies&) { return true; });
   const Image image = film.image(settings.width, settings.height);
   double sum = 0;
   for (const float v : image.layers[0].pixels) sum += double(v);
