@@ -62,7 +62,12 @@ const std::vector<std::string>& aov_names() {
 }
 
 Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScale& scale, const glm::dvec3& origin)
-    : crop_(crop), scale_(scale), origin_(origin), pass_(crop.pixels()), beauty_(crop.pixels()) {
+    : crop_(crop),
+      scale_(scale),
+      origin_(origin),
+      pass_(crop.pixels()),
+      pass_weight_(crop.pixels()),
+      beauty_(crop.pixels()) {
   for (const Aov& a : all_aovs())
     if (std::find(aovs.begin(), aovs.end(), a.name) != aovs.end())
       aovs_.push_back({a.name, a.channels, std::vector<double>(crop.pixels() * a.channels.size())});
@@ -73,7 +78,10 @@ void Film::add(const std::vector<PixelSample>& samples, const View& view) {
     add_bounced(samples);
     return;
   }
-  if (view.main()) ++pass_samples_;
+  if (view.main()) {
+    ++pass_samples_;
+    for (std::size_t i = 0; i < samples.size(); ++i) pass_weight_[i] += glm::dvec3(samples[i].weight);
+  }
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PixelSample& s = samples[i];
     pass_[i] += glm::dvec3(s.emitted) + weighted(s, s.direct, 1) + weighted(s, s.targeted, scale_.targeted) +
@@ -94,21 +102,27 @@ void Film::add(const std::vector<PixelSample>& samples, const View& view) {
 
 // Whatever a further diffuse surface is lit by, it is interreflection.
 void Film::add_bounced(const std::vector<PixelSample>& samples) {
-  std::vector<double>* layer = nullptr;
-  for (Sum& sum : aovs_)
-    if (sum.name == "global") layer = &sum.values;
+  std::vector<double>*global = nullptr, *irradiance = nullptr;
+  for (Sum& sum : aovs_) {
+    if (sum.name == "global") global = &sum.values;
+    if (sum.name == "irradiance") irradiance = &sum.values;
+  }
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PixelSample& s = samples[i];
     const glm::dvec3 radiance = weighted(s, s.direct + s.targeted + s.caustic + s.global, scale_.global);
     pass_[i] += radiance;
-    for (int c = 0; layer && c < 3; ++c) (*layer)[3 * i + static_cast<std::size_t>(c)] += radiance[c];
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = 3 * i + static_cast<std::size_t>(c);
+      if (global) (*global)[at] += radiance[c];
+      if (irradiance && pass_weight_[i][c] > 0) (*irradiance)[at] += radiance[c] / pass_weight_[i][c] * pass_samples_;
+    }
   }
 }
 
 void Film::end_pass(std::uint32_t pass) {
   for (glm::dvec3& pixel : pass_) pixel /= double(pass_samples_);
   beauty_.add(pass, pass_);
-  std::fill(pass_.begin(), pass_.end(), glm::dvec3(0));
+  for (std::vector<glm::dvec3>* sums : {&pass_, &pass_weight_}) std::fill(sums->begin(), sums->end(), glm::dvec3(0));
   samples_ += pass_samples_;
   pass_samples_ = 0;
 }

@@ -54,9 +54,10 @@ class Film {
   Crop crop_;
   MapScale scale_;
   glm::dvec3 origin_;
-  std::uint32_t samples_ = 0;       // a pixel's, of all passes; split paths once
-  std::uint32_t pass_samples_ = 0;  // of the pass that is under way: a pixel's, split paths once
-  std::vector<glm::dvec3> pass_;    // their sum
+  std::uint32_t samples_ = 0;            // a pixel's, of all passes; split paths once
+  std::uint32_t pass_samples_ = 0;       // of the pass that is under way: a pixel's, split paths once
+  std::vector<glm::dvec3> pass_;         // their sum
+  std::vector<glm::dvec3> pass_weight_;  // and that of their radiances per irradiance, of main paths
   PassSums beauty_;
   std::vector<Sum> aovs_;
 };

@@ -1,17 +1,25 @@
 // Light that diffuse surfaces throw on each other, against closed forms and against path tracing.
+#include <glm/gtc/constants.hpp>
+
 #include "tests/support/scene_setup.h"
 
 namespace meniscal {
 namespace {
 
-// Of the picture, over all pixels and channels.
-double mean_radiance(Backend& backend, const RenderSettings& settings, std::uint32_t passes) {
-  Film film(settings.crop, {}, {});
+Image render(Backend& backend, const RenderSettings& settings, std::uint32_t passes) {
+  Film film(settings.crop, {"irradiance"}, {});
   render_passes(backend, {0, passes}, film, [](const Tallies&) { return true; });
-  const Image image = film.image(settings.width, settings.height);
+  return film.image(settings.width, settings.height);
+}
+
+// Over all pixels and channels.
+double mean(const Layer& layer) {
   double sum = 0;
-  for (const float v : image.layers[0].pixels) sum += double(v);
-  return sum / double(image.layers[0].pixels.size());
+  for (const float v : layer.pixels) sum += double(v);
+  return sum / double(layer.pixels.size());
+}
+double mean_radiance(Backend& backend, const RenderSettings& settings, std::uint32_t passes) {
+  return mean(render(backend, settings, passes).layers[0]);
 }
 
 // In a closed room that emits half of what it would as a black body, and reflects the other half, radiance is that of
@@ -29,10 +37,13 @@ TEST_P(Furnace, IsBlack) {
     for (Material& m : scene.materials) m.base_color = m.emission = glm::dvec3(0.5);
   });
   GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
-  const double mean = mean_radiance(gpu, setup->settings, 2);
-  std::printf("radiance %.5f\n", mean);
+  const Image image = render(gpu, setup->settings, 2);
+  const double radiance = mean(image.layers[0]), irradiance = mean(*image.find("irradiance")) / glm::pi<double>();
+  std::printf("radiance %.5f, irradiance / pi %.5f\n", radiance, irradiance);
   // Discs reach beyond the room's edges: what they lose there is the map's bias, and less when it is gathered from.
-  EXPECT_NEAR(mean, 1, GetParam() == Quality::final ? 0.01 : 0.03);
+  const double bias = GetParam() == Quality::final ? 0.01 : 0.03;
+  EXPECT_NEAR(radiance, 1, bias);
+  EXPECT_NEAR(irradiance, 1, 2 * bias);
 }
 INSTANTIATE_TEST_SUITE_P(Qualities, Furnace, testing::Values(Quality::draft, Quality::final),
                          [](const auto& tested) { return tested.param == Quality::draft ? "draft" : "final"; });
@@ -43,7 +54,7 @@ TEST(OneAnswer, OfPhotonsAndPaths) {
   REQUIRE_DEVICE();
   RenderOptions options = test::small_options(200000, 48, 36);
   options.diffuse_bounces = 2;
-  const auto render = [&](Integrator integrator, Quality quality, std::uint32_t samples, std::uint32_t passes) {
+  const auto radiance_by = [&](Integrator integrator, Quality quality, std::uint32_t samples, std::uint32_t passes) {
     options.integrator = integrator;
     options.quality = quality;
     options.samples = samples;
@@ -55,10 +66,10 @@ TEST(OneAnswer, OfPhotonsAndPaths) {
     GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
     return mean_radiance(gpu, setup->settings, passes);
   };
-  const double path = render(Integrator::path, Quality::final, 60, 1);
-  const double gathered = render(Integrator::targeted, Quality::final, 4, 4);
-  const double shown = render(Integrator::targeted, Quality::draft, 4, 4);
-  const double ordinary = render(Integrator::ordinary, Quality::draft, 4, 8);
+  const double path = radiance_by(Integrator::path, Quality::final, 60, 1);
+  const double gathered = radiance_by(Integrator::targeted, Quality::final, 4, 4);
+  const double shown = radiance_by(Integrator::targeted, Quality::draft, 4, 4);
+  const double ordinary = radiance_by(Integrator::ordinary, Quality::draft, 4, 8);
   std::printf("radiance: path %.5f, gathered %.5f, map %.5f, ordinary %.5f\n", path, gathered, shown, ordinary);
   EXPECT_NEAR(gathered, path, 0.01 * path);
   EXPECT_NEAR(shown, path, 0.03 * path);
