@@ -13,9 +13,6 @@ namespace {
 
 constexpr double kFarthest = 0.8;  // slide, in sweep lengths: beyond, the band would be squeezed to nothing
 
-// A vector of the plane as the one tangent to the liquid above it.
-glm::dvec3 in_space(const glm::dvec2& v, const glm::dvec3& up) { return lifted(v, -glm::dot(v, planar(up)) / up.y); }
-
 double dihedral(const glm::dvec3& solid_normal, const glm::dvec3& up) {
   return std::atan2(glm::length(glm::cross(solid_normal, up)), glm::dot(solid_normal, up));
 }
@@ -98,8 +95,9 @@ bool bond_side(Side& side, Node& node, const Body& body, double sweep, double he
                const glm::dvec2& aside) {
   side.rise = 0, side.slide = glm::dvec2(0);
   const glm::dvec3 up = node.liquid_normal;
-  Climb climb{node, body, sweep, height, spine, up, glm::normalize(in_space(side.direction, up)), in_space(aside, up),
-              false};
+  Climb climb{
+      node, body, sweep, height, spine, up, glm::normalize(tangent_to(up, side.direction)), tangent_to(up, aside),
+      false};
   const Hit level{node.position, side.solid_normal, side.solid_normal};
   Hit at = level;
   double held = height == 0 ? 1 : climb_from(climb, at);

@@ -12,9 +12,7 @@ Lifted lift(const Foot& foot, double sweep, Profile profile, const glm::dvec3& b
   const auto between = [&](auto Side::*value) {
     return foot.from->*value + foot.t * (foot.to->*value - foot.from->*value);
   };
-  const auto in_liquid = [&](const glm::dvec2& v) {  // the vector tangent to the liquid that is v in the plane
-    return lifted(v, -glm::dot(v, planar(up)) / up.y);
-  };
+  const auto in_liquid = [&](const glm::dvec2& v) { return tangent_to(up, v); };
   const Falloff fall = falloff(profile, foot.distance / sweep);
   const double rise = between(&Side::rise), height = fall.height, height_slope = fall.slope / sweep;
   const glm::dvec3 slide = in_liquid(between(&Side::slide));

@@ -11,6 +11,10 @@ namespace meniscus {
 // The projection in which the liquid is re-meshed. (z, x) is counter-clockwise seen from above (+Y).
 inline glm::dvec2 planar(const glm::dvec3& p) { return {p.z, p.x}; }
 inline glm::dvec3 lifted(const glm::dvec2& p, double height) { return {p.y, height, p.x}; }
+// The vector of the plane as the one tangent to a liquid with this normal above it.
+inline glm::dvec3 tangent_to(const glm::dvec3& up, const glm::dvec2& v) {
+  return lifted(v, -glm::dot(v, planar(up)) / up.y);
+}
 
 inline double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 

@@ -42,9 +42,7 @@ Spine::Branch Spine::follow(const ContactLine& line, const Body& body, double en
     if (k == kSteps) break;
     for (std::size_t i = 0; i < line.nodes.size(); ++i) {  // where no facet is met, the last one counts on
       const Node& node = line.nodes[i];
-      const glm::dvec2& d = node.contact.direction;
-      const glm::dvec3& up = node.liquid_normal;
-      const glm::dvec3 out = glm::normalize(lifted(d, -glm::dot(d, planar(up)) / up.y));
+      const glm::dvec3 out = glm::normalize(tangent_to(node.liquid_normal, node.contact.direction));
       const double reach = 2 * std::abs(branch.step);
       const std::optional<Hit> hit = shoot(body, node.position + lifted(shift, k * branch.step), out, 0, reach);
       if (hit) normals[i] = {hit->normal, hit->normal};

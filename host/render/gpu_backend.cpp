@@ -17,6 +17,7 @@ std::uint32_t photon_capacity(const PhotonSet& set, const RenderSettings& settin
 
 // The photons of the caustics' maps, or of the global map, and the passes that look them up.
 struct Map {
+  bool global;
   std::uint32_t capacity;  // of photons at once
   const passes::PhotonBuffers& photons;
   passes::CellsPass cells;
@@ -24,8 +25,9 @@ struct Map {
   std::uint32_t grids = 0;  // that the pass took so far
 
   Map(const gpu::Device& device, const passes::PhotonBuffers& p, std::uint32_t c,
-      const std::vector<passes::PixelTile>& tiles, bool global, bool texel)
-      : capacity(c),
+      const std::vector<passes::PixelTile>& tiles, bool g, bool texel)
+      : global(g),
+        capacity(c),
         photons(p),
         cells(device, photons, passes::entry_capacity(capacity), passes::most_cells(capacity), texel),
         gather(device, photons, cells, tiles, global, texel) {}
@@ -85,9 +87,7 @@ struct GpuBackend::Passes {
     return all;
   }
 
-  const PhotonSet& set_of(const Map& map) const {
-    return global && &map == &*global ? settings.global : settings.caustics;
-  }
+  const PhotonSet& set_of(const Map& map) const { return map.global ? settings.global : settings.caustics; }
 
   // Calls done(count, grid) for the photons of a pass, as many at a time as fit, with the grid to put them into.
   template <class Done>
@@ -96,7 +96,7 @@ struct GpuBackend::Passes {
     for (std::uint32_t first = 0, count = 0; first < set.count(); first += count) {
       count = std::min(map.capacity, set.count() - first);
       const passes::Grid grid = passes::make_grid(count, pass_discs(set.discs, pass));
-      paths.trace_photons(commands, settings, &set == &settings.global, pass, first, count, grid);
+      paths.trace_photons(commands, settings, map.global, pass, first, count, grid);
       tables.collect_counters();
       done(count, grid);
     }
@@ -136,7 +136,7 @@ struct GpuBackend::Passes {
   }
 
   std::uint32_t map_of(const Map& map, const shared::PhotonEnd& e) const {
-    if (&set_of(map) == &settings.global) return shared::MAP_GLOBAL;
+    if (map.global) return shared::MAP_GLOBAL;
     return std::signbit(e.flux.x) ? shared::MAP_CAUSTIC : shared::MAP_TARGETED;
   }
 

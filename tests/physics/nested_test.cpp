@@ -37,6 +37,15 @@ Object make_box(const std::string& name, int material, const glm::dvec3& low, co
   return box;
 }
 
+Material make_clear(const std::string& name, double ior) {
+  Material material;
+  material.name = name;
+  material.metallic = material.roughness = 0;
+  material.transmission = 1;
+  material.ior = ior;
+  return material;
+}
+
 // A plate of glass (20 to 24 mm, if `lid`), water (11 to 21 mm) and a plate of glass (8 to 12 mm) over the floor at
 // -50 mm: water reaches 1 mm into the plates.
 std::unique_ptr<test::Setup> make_slabs(const RenderOptions& options, bool lid,
@@ -50,11 +59,7 @@ std::unique_ptr<test::Setup> make_slabs(const RenderOptions& options, bool lid,
     const auto water = static_cast<int>(std::find_if(scene.materials.begin(), scene.materials.end(),
                                                      [](const Material& m) { return m.liquid.has_value(); }) -
                                         scene.materials.begin());
-    Material glass;
-    glass.name = "glass";
-    glass.metallic = glass.roughness = 0;
-    glass.transmission = 1;
-    glass.ior = glass_ior;
+    Material glass = make_clear("glass", glass_ior);
     glass.meniscus_ignore = true;
     scene.materials.push_back(glass);
     const int last = static_cast<int>(scene.materials.size()) - 1;
@@ -175,11 +180,7 @@ std::unique_ptr<test::Setup> make_block(const RenderOptions& options, double cen
     for (Object& o : scene.objects)
       for (glm::dvec3& p : o.mesh.positions) p += scene.origin;
     scene.origin = glm::dvec3(0);
-    Material like_water;
-    like_water.name = "like water";
-    like_water.metallic = like_water.roughness = 0;
-    like_water.transmission = 1;
-    like_water.ior = water_ior;
+    Material like_water = make_clear("like water", water_ior);
     like_water.contact_angle = angle;
     scene.materials.push_back(like_water);
     scene.objects.push_back(make_box("block", static_cast<int>(scene.materials.size()) - 1,
