@@ -1,7 +1,7 @@
 // Dielectrics that lie in each other: which of those that a path is inside of it is in optically, by priority (Schmidt and Budge, "Simple
 // Nested Dielectrics in Ray Traced Images", JGT 2002). A path's media are sorted by rank, of one rank the one entered last first; so the
 // first is the one that it is in, and none is air.
-#include "scene.glsl"
+#include "materials.glsl"
 
 // Drops the last where there is no room.
 uvec4 enter_medium(uvec4 media, uint medium) {

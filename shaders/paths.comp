@@ -204,7 +204,7 @@ void main() {
     }
     if (end != END_CUT) break;
 
-    Surface surface = fetch_surface(point.material);
+    Surface surface = shade(point);
     bool front = dot(point.geometric, path.direction) < 0.0;
     vec3 side = front ? point.geometric : -point.geometric;
     bool first = met + scattered == 0u && !passed;

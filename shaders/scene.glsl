@@ -28,10 +28,11 @@ layout(constant_id = 11) const bool HAS_SCATTERING = true;  // paths go on from 
 layout(constant_id = 12) const bool HAS_NESTED = true;  // dielectrics lie in each other
 
 Surface fetch_surface(uint i) {
-  uvec4 a = FETCH(surfaces, 5u * i), b = FETCH(surfaces, 5u * i + 1u), c = FETCH(surfaces, 5u * i + 2u), d = FETCH(surfaces, 5u * i + 3u);
-  uvec4 e = HAS_NESTED ? FETCH(surfaces, 5u * i + 4u) : uvec4(0u);
+  uint t = 6u * i;
+  uvec4 a = FETCH(surfaces, t), b = FETCH(surfaces, t + 1u), c = FETCH(surfaces, t + 2u), d = FETCH(surfaces, t + 3u);
+  uvec4 e = FETCH(surfaces, t + 4u), f = FETCH(surfaces, t + 5u);
   return Surface(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz), c.w,
-                 uintBitsToFloat(d.xyz), d.w, e.x, e.y, 0u, 0u);
+                 uintBitsToFloat(d.xyz), d.w, e.x, e.y, uintBitsToFloat(e.z), e.w, uintBitsToFloat(f.xyz), uintBitsToFloat(f.w));
 }
 
 Light fetch_light(uint i) {

@@ -39,7 +39,7 @@ std::vector<Texel> normal_texels(const World& world) {
   return texels;
 }
 
-static_assert(sizeof(shared::Surface) == 5 * sizeof(Texel) && sizeof(shared::Light) == 7 * sizeof(Texel));
+static_assert(sizeof(shared::Surface) == 6 * sizeof(Texel) && sizeof(shared::Light) == 7 * sizeof(Texel));
 
 std::vector<std::uint32_t> whole_texels(std::vector<std::uint32_t> values) {
   values.resize((values.size() + 3) / 4 * 4);

@@ -51,7 +51,7 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
   std::uint32_t dimension = shared::DIM_FIRST_BOUNCE, scattered = 0;
   bool first = true;
   for (std::uint32_t met = 0; met <= settings.specular_bounces;) {  // specular surfaces since the last diffuse one
-    const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
+    auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) {
       sample.triangle = shared::END_ESCAPED;
       break;
@@ -59,7 +59,7 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
     absorb(path, hit->t);
     const WorldTriangle& triangle = world.triangles[hit->triangle];
     transfer(path.differential, path.ray.direction, hit->t, triangle.geometric);
-    const shared::Surface& surface = world.surfaces[triangle.material];
+    const shared::Surface surface = shade(world, *hit);
     const bool front = glm::dot(triangle.geometric, path.ray.direction) < 0;
     if (first) {
       sample.depth = static_cast<float>(hit->t);
@@ -76,7 +76,7 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
       if (met++ == settings.specular_bounces) break;
       const std::uint32_t way =
           scattered == 0 ? shared::branch_way(view.branch, sample.split, choice) : shared::WAY_BY_ROULETTE;
-      const double reflectance = scatter_specular(path, *hit, tracer,
+      const double reflectance = scatter_specular(path, *hit, surface, tracer,
                                                   way == shared::WAY_REFLECTED ? 0
                                                   : way == shared::WAY_THROUGH ? 0.99999994
                                                                                : double(choice));

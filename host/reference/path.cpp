@@ -71,10 +71,10 @@ bool pass_straight(Path& path, const Hit& hit, const Tracer& tracer) {
   return true;
 }
 
-double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random) {
+double scatter_specular(Path& path, const Hit& hit, const shared::Surface& surface, const Tracer& tracer,
+                        double random) {
   const World& world = tracer.world();
   const WorldTriangle& triangle = world.triangles[hit.triangle];
-  const shared::Surface& surface = world.surfaces[triangle.material];
   const glm::dvec3 arrival = path.ray.direction;
   const bool front = glm::dot(arrival, triangle.geometric) < 0;
   const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/reference/differentials.h"
+#include "host/reference/materials.h"
 #include "shaders/shared/random.h"
 
 namespace meniscal::reference {
@@ -35,10 +36,11 @@ void be_in(Path& path, const World& world, Media media);
 // the path goes straight on; else it is a specular surface.
 bool pass_straight(Path& path, const Hit& hit, const Tracer& tracer);
 
-// Sends the path on from `hit`: mirror, Fresnel reflection or refraction by roulette with `random` in [0, 1), or
-// straight through a thin sheet. Directions bend with the shading normal; where the outcome is then on the wrong side
-// of the triangle, with the geometric one. Returns the probability of reflection.
-double scatter_specular(Path& path, const Hit& hit, const Tracer& tracer, double random);
+// Sends the path on from `hit` on `surface`: mirror, Fresnel reflection or refraction by roulette with `random` in [0,
+// 1), or straight through a thin sheet. Directions bend with the shading normal; where the outcome is then on the wrong
+// side of the triangle, with the geometric one. Returns the probability of reflection.
+double scatter_specular(Path& path, const Hit& hit, const shared::Surface& surface, const Tracer& tracer,
+                        double random);
 
 // `sine` across the axis, turned by `turn` of a full circle, and `cosine` along it.
 glm::dvec3 around(const glm::dvec3& axis, double sine, double cosine, double turn);

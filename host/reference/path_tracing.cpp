@@ -18,11 +18,11 @@ shared::PixelSample trace_whole_path(const Tracer& tracer, const RenderSettings&
   std::uint32_t met = 0, scattered = 0;  // specular surfaces since the last diffuse one; diffuse ones
   bool passed = false;                   // straight through a surface, since the last diffuse one
   for (bool first = true; met <= settings.specular_bounces; first = false) {
-    const auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
+    auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) break;
     absorb(path, hit->t);
     const WorldTriangle& triangle = world.triangles[hit->triangle];
-    const shared::Surface& surface = world.surfaces[triangle.material];
+    const shared::Surface surface = shade(world, *hit);
     const bool front = glm::dot(triangle.geometric, path.ray.direction) < 0;
     const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
     const glm::dvec3 shading = front ? hit->shading : -hit->shading;
@@ -42,7 +42,8 @@ shared::PixelSample trace_whole_path(const Tracer& tracer, const RenderSettings&
     key.stream = shared::STREAM_CAMERA + index + 0x10000u * (scattered * (settings.specular_bounces + 1) + met);
     const auto number = [&](std::uint32_t dimension) { return double(shared::random_unit(key, dimension)); };
     if (number(shared::DIM_FIRST_BOUNCE) < double(surface.specular)) {
-      if (met++ < settings.specular_bounces) scatter_specular(path, *hit, tracer, number(shared::DIM_FIRST_BOUNCE + 1));
+      if (met++ < settings.specular_bounces)
+        scatter_specular(path, *hit, surface, tracer, number(shared::DIM_FIRST_BOUNCE + 1));
       continue;
     }
     if (scattered > settings.diffuse_bounces) break;  // the last one looked for caustics only

@@ -164,7 +164,7 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
       continue;
     }
     const WorldTriangle& triangle = world.triangles[hit.triangle];
-    const shared::Surface& surface = world.surfaces[triangle.material];
+    const shared::Surface surface = shade(world, hit);
     const bool specular = decide(dimension) < double(surface.specular);
     const double choice = decide(dimension + 1);
     dimension += shared::BOUNCE_DIMENSIONS;
@@ -182,7 +182,7 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
     }
     if (specular) {
       if (met++ == settings.specular_bounces) break;
-      scatter_specular(path, hit, tracer, choice);
+      scatter_specular(path, hit, surface, tracer, choice);
     } else {
       const glm::dvec3 side =
           glm::dot(triangle.geometric, path.ray.direction) < 0 ? triangle.geometric : -triangle.geometric;

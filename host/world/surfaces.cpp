@@ -1,5 +1,7 @@
 #include "host/world/surfaces.h"
 
+#include "shaders/shared/material.h"
+
 namespace meniscal {
 
 shared::Surface make_surface(const Material& m, bool closed) {
@@ -13,8 +15,6 @@ shared::Surface make_surface(const Material& m, bool closed) {
   const bool refracts = m.liquid || m.target || m.has_thickness || closed;
 
   shared::Surface s{};
-  s.albedo = glm::vec3(m.base_color);
-  s.tint = glm::vec3(m.base_color);
   s.specular = static_cast<float>(transmits ? transmissive : mirror);
   s.kind = s.specular == 0 ? shared::SPECULAR_NONE
            : !transmits    ? shared::SPECULAR_MIRROR
@@ -22,10 +22,14 @@ shared::Surface make_surface(const Material& m, bool closed) {
                            : shared::SPECULAR_THIN;
   s.ior = static_cast<float>(m.ior);
   if (s.kind == shared::SPECULAR_DIELECTRIC) s.absorption = glm::vec3(m.absorption);
+  s.alpha = smooth ? 0.0f : 1.0f;
+  const double straight = (m.ior - 1) / (m.ior + 1);
+  s.f0 = glm::vec3(static_cast<float>(m.specular * straight * straight));
+  s.f90 = static_cast<float>(m.specular);
   s.emission = glm::vec3(m.emission);
   s.double_sided = m.double_sided ? 1 : 0;
   s.liquid = m.liquid || m.target ? 1 : 0;
-  return s;
+  return shared::with_base(s, glm::vec3(m.base_color), static_cast<float>(m.metallic), static_cast<float>(m.roughness));
 }
 
 }  // namespace meniscal

@@ -20,7 +20,10 @@ struct Surface {
   uint double_sided;  // emits on both sides
   uint rank;          // dielectrics: above 0; where volumes overlap, the higher wins
   uint liquid;        // dielectrics: 1 where it may be an open sheet with the liquid below
-  uint pad0, pad1;
+  float alpha;        // of GGX: roughness squared; 0: smooth
+  uint textures;      // index + 1 of what textures say of it; 0: the same all over
+  vec3 f0;            // reflectance of its outer face straight on, where that is no dielectric's (kind)
+  float f90;          // and grazing
 };
 
 // Dielectrics that something is inside of, as uvec4: those of higher rank first, of one rank the one entered last; then

@@ -12,7 +12,7 @@ layout(set = 0, binding = 4, std430) writeonly buffer E { PixelSample samples[];
 
 void main() {
   // The second element, so that the stride counts too.
-  surfaces[1] = Surface(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16u, 17u, 18u, 19u, 20u);
+  surfaces[1] = Surface(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16u, 17u, 18u, 19, 20u, vec3(21, 22, 23), 24);
   lights[1] = Light(vec3(1, 2, 3), 4u, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16, vec3(17, 18, 19), 20u, 21, 22, 23, 24, uvec4(25, 26, 27, 28));
   ends[1] = PhotonEnd(vec3(1, 2, 3), 4u, vec3(5, 6, 7), 8);
   discs[1] = PhotonDisc(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12);

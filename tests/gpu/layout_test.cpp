@@ -36,6 +36,10 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   EXPECT_EQ(surface.double_sided, 16u);
   EXPECT_EQ(surface.rank, 17u);
   EXPECT_EQ(surface.liquid, 18u);
+  EXPECT_EQ(surface.alpha, 19);
+  EXPECT_EQ(surface.textures, 20u);
+  EXPECT_EQ(surface.f0, vec3(21, 22, 23));
+  EXPECT_EQ(surface.f90, 24);
   const auto light = lights.download<shared::Light>()[1];
   EXPECT_EQ(light.position, vec3(1, 2, 3));
   EXPECT_EQ(light.type, 4u);
