@@ -1,10 +1,10 @@
 // How a path's place and direction change with where it starts (Igehy 1999; Schjoth et al. 2007): of a photon, along two perpendicular
 // directions in its target's facet, per metre, or on its light; of a camera path, per pixel.
+#include "reflection.glsl"
+
 struct Differential {
   vec3 place0, place1, direction0, direction1;
 };
-
-vec3 tangent(vec3 n) { return normalize(abs(n.x) > 0.6 ? vec3(n.z, 0.0, -n.x) : vec3(0.0, -n.z, n.y)); }
 
 // Light comes from a point at `distance`.
 Differential start_differential(vec3 facet, vec3 direction, float distance) {

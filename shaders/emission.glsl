@@ -1,5 +1,5 @@
 // Photons as lights emit them: ordinary photon mapping, to compare with.
-#include "lights.glsl"
+#include "scattering.glsl"
 
 struct Emission {
   vec3 origin, direction;
@@ -7,22 +7,6 @@ struct Emission {
   uint triangle;  // of an area light
   uvec4 media;    // that the light is inside of
 };
-
-vec3 around(vec3 axis, float sine, float cosine, float turn) {
-  vec3 u = tangent(axis), v = cross(axis, u);
-  float angle = 6.283185307179586 * turn;
-  return cosine * axis + sine * (cos(angle) * u + sin(angle) * v);
-}
-
-// Sends the path on from a diffuse surface, by the cosine to `normal`; false where that is not to the surface's `side`.
-bool scatter_diffusely(inout Path path, SurfacePoint point, vec3 side, vec3 normal, vec2 place) {
-  path.direction = around(normal, sqrt(place.x), sqrt(1.0 - place.x), place.y);
-  path.origin = leave(point.position, side);
-  path.triangle = point.triangle;
-  Differential none = Differential(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-  path.differential = path.by_light = none;
-  return dot(path.direction, side) > 0.0;
-}
 
 // From one of the lights, by power. `place`, uniform in the square: where on the disc across a distant light, or where to from others.
 Emission emit(vec2 place, uint light_first, uint light_count, RandomKey key) {

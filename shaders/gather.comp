@@ -1,8 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Irradiance at each pixel's visible point from the photons of the targeted and the caustic map, or of the global one: sum of flux K(q2) / (product of the disc's half-widths), over the
-// discs that hold the point.
+// Irradiance at each pixel's visible point from the photons of the targeted and the caustic map, or of the global one: sum of flux K(q2) /
+// (product of the disc's half-widths), over the discs that hold the point. Where an outer face reflects, what it reflects beyond Lambert's.
 #include "fetch.glsl"
+#include "reflection.glsl"
 #include "shared/geometry.h"
 #include "shared/structs.h"
 
@@ -13,7 +14,20 @@ layout(set = 0, binding = 2, std430) writeonly buffer Samples { PixelSample samp
 layout(set = 0, binding = 3, std430) buffer Counters { uint counters[]; };
 FETCH_WORDS(4, listed)
 layout(constant_id = 0) const bool GLOBAL = false;  // the photons are the global map's
+layout(constant_id = 1) const bool GLOSSY = false;  // some outer face reflects
 FETCH_TABLE(5, samples)  // the same as 2: loads from storage buffers are dear on lavapipe
+
+FETCH_WORDS(6, arrivals)
+FETCH_TABLE(7, gloss)  // the same as 8
+layout(set = 0, binding = 8, std430) writeonly buffer Gloss { PixelGloss glosses[]; };
+
+// Texels of a PixelGloss, and of what is added to.
+const uint GLOSS_TEXELS = 8u, GLOSS_TARGETED = 5u, GLOSS_CAUSTIC = 6u, GLOSS_GLOBAL = 7u;
+
+Face fetch_face(uint texel) {
+  uvec4 a = FETCH(gloss, texel), b = FETCH(gloss, texel + 1u), c = FETCH(gloss, texel + 2u);
+  return Face(uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), uintBitsToFloat(a.w), uintBitsToFloat(c.xyz), uintBitsToFloat(b.w));
+}
 
 // Texels of a PixelSample, and of what is read of it.
 const uint SAMPLE_TEXELS = 9u, POSITION = 0u, NORMAL = 1u, ALBEDO_TRIANGLE = 2u, EMITTED_LIT = 4u, TARGETED = 6u, CAUSTIC = 7u, OF_GLOBAL = 8u;
@@ -36,6 +50,19 @@ void main() {
   vec3 normal = uintBitsToFloat(FETCH(samples, texel + NORMAL).xyz);
   vec4 targeted = GLOBAL ? vec4(0.0) : uintBitsToFloat(FETCH(samples, texel + TARGETED));
   vec4 other = uintBitsToFloat(FETCH(samples, texel + (GLOBAL ? OF_GLOBAL : CAUSTIC)));
+  uint gloss_texel = GLOSS_TEXELS * i;
+  Face face;
+  vec3 albedo, beyond, beyond_targeted, throughput;  // what the face adds, in all and of the targeted map
+  bool reflects = false;
+  if (GLOSSY) {
+    uvec4 rest = FETCH(gloss, gloss_texel + 3u);
+    reflects = rest.w != 0u;
+    throughput = uintBitsToFloat(rest.xyz);
+    face = fetch_face(gloss_texel);
+    albedo = uintBitsToFloat(FETCH(samples, texel + ALBEDO_TRIANGLE).xyz);
+    beyond = uintBitsToFloat(FETCH(gloss, gloss_texel + (GLOBAL ? GLOSS_GLOBAL : GLOSS_CAUSTIC)).xyz);
+    beyond_targeted = uintBitsToFloat(FETCH(gloss, gloss_texel + GLOSS_TARGETED).xyz);
+  }
   uint seen = 0u;  // candidates so far, over all cells: those of this round are [first_candidate, first_candidate + GATHER_ROUND)
   uint round_end = push.first_candidate + GATHER_ROUND;
   for (uint level = 0u; level < push.levels; ++level) {
@@ -55,11 +82,22 @@ void main() {
         vec4 found = vec4(flux * (disc_kernel(q2) * density), 1.0);
         if (!GLOBAL && (place.w >> 31u) == MAP_TARGETED) targeted += found;
         else other += found;
+        if (GLOSSY && reflects) {
+          vec3 incoming = -unpack_direction(FETCH_WORD(arrivals, photon));
+          vec3 more = throughput * found.xyz * beyond_lambert(face, albedo, incoming, push.lobe_part);
+          if (!GLOBAL && (place.w >> 31u) == MAP_TARGETED) beyond_targeted += more;
+          else beyond += more;
+        }
       }
     }
     seen += range.y - range.x;
   }
   atomicMax(counters[COUNTER_MOST_CANDIDATES], seen);
+  if (GLOSSY && GLOBAL) glosses[i].global = beyond;
+  if (GLOSSY && !GLOBAL) {
+    glosses[i].targeted = beyond_targeted;
+    glosses[i].caustic = beyond;
+  }
   if (GLOBAL) {
     samples[i].global = other.xyz;
     samples[i].global_count = other.w;

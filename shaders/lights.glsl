@@ -9,6 +9,7 @@ struct LightSample {
   vec3 normal;         // of an area light
   float extent;        // of an area light: root of its area over the probability of having chosen it, m; else 0
   uvec4 media;         // that the light is inside of
+  float pdf;           // of the direction, 1/sr; 0: no other has that light
 };
 
 const float FAR = 1e30;
@@ -16,7 +17,7 @@ const float FAR = 1e30;
 // `weight`: 1 / probability of having chosen this light. `place`, uniform in the unit square: picks the point of an area light.
 LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
   Light light = fetch_light(index);
-  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0, light.media);
+  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0, light.media, 0.0);
   if (HAS_AREA && light.type == LIGHT_AREA) {
     float root = sqrt(place.x), v = place.y * root;
     vec3 on_light = light.position + (1.0 - root) * light.edge1 + v * light.edge2;
@@ -25,6 +26,7 @@ LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
     s.direction = towards / s.distance;
     float cosine = -dot(s.direction, light.direction);
     if (light.double_sided != 0u) cosine = abs(cosine);
+    s.pdf = s.distance * s.distance / (max(abs(cosine), 1e-20) * light.area * weight);
     s.irradiance *= max(cosine, 0.0) * light.area / (s.distance * s.distance);
     s.triangle = light.triangle;
     s.extent = sqrt(light.area * weight);
@@ -59,3 +61,13 @@ LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key, boo
 
 // How far a shadow ray must be free, so that the emitting triangle does not shadow itself.
 float shadow_reach(LightSample s) { return s.triangle == NO_TRIANGLE ? s.distance : s.distance * (1.0 - 1e-5); }
+
+// The density, per solid angle, with which sample_lights takes the direction of a point on a triangle, at `distance` under `cosine` to the
+// triangle's normal. 0: no light.
+float area_light_pdf(uint triangle, float distance, float cosine) {
+  if (!HAS_AREA) return 0.0;
+  uint light = FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 2u).w;
+  if (light == 0u) return 0.0;
+  Light l = fetch_light(light - 1u);
+  return l.probability * distance * distance / (l.area * cosine);
+}

@@ -51,10 +51,22 @@ void refract_differential(inout Differential d, SurfacePoint point, float turned
   d.direction1 = refract_derivative(d.direction1, turned * normal_derivative(point, d.place1), arrival, normal, eta, beyond);
 }
 
-// Sends the path on from a specular surface: mirror, Fresnel reflection or refraction by roulette with `random`, or straight through a
-// thin sheet. Returns the probability of reflection. Directions bend with the shading normal, sides are told by the geometric one; where the two disagree on the outcome's
-// side, the geometric one bends.
-float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Crossing crossing, float random) {
+// Whether the path meets the specular part of a surface, by roulette with `random`. A mirror's face divides the light, and with it the
+// path's throughput; `certain`: the path takes the face's part in any case.
+bool meets_specular(inout Path path, SurfacePoint point, Surface surface, float random, bool certain) {
+  if (!HAS_MIRROR || surface.kind != SPECULAR_MIRROR) return random < surface.specular;
+  vec3 reflectance = mirror_reflectance(surface, abs(dot(path.direction, point.shading)));
+  float probability = certain ? 1.0 : mirror_probability(surface, reflectance);
+  bool specular = random < probability;
+  path.throughput *= specular ? reflectance / probability : vec3(1.0 / (1.0 - probability));
+  return specular;
+}
+
+// Sends the path on from the specular part of a surface: mirror, Fresnel reflection or refraction by roulette with `random`, or straight
+// through a thin sheet. Returns the probability of reflection. Directions bend with the shading normal, sides are told by the geometric
+// one; where the two disagree on the outcome's side, the geometric one bends. Rough surfaces bend them with a microfacet's, picked by
+// `place`; what is then on the wrong side is lost.
+float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Crossing crossing, float random, vec2 place) {
   vec3 arrival = path.direction;
   bool front = dot(arrival, point.geometric) < 0.0;
   vec3 side = front ? point.geometric : -point.geometric;
@@ -65,6 +77,10 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Cro
     turned = 0.0;
   }
 
+  vec3 mean = normal;  // of the microfacets
+  bool rough = HAS_ROUGH && surface.alpha > 0.0;
+  if (rough) normal = visible_normal(normal, -arrival, surface.alpha, place);
+
   bool reflected = true;
   float reflectance = 1.0;
   float eta = 1.0, transmitted = 1.0;
@@ -74,7 +90,7 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Cro
     float cosine = -dot(arrival, normal);
     reflectance = fresnel(cosine, eta, transmitted);
     reflected = random < reflectance;
-    if (!reflected && dot(eta * arrival + (eta * cosine - transmitted) * normal, side) >= 0.0) {
+    if (!reflected && !rough && dot(eta * arrival + (eta * cosine - transmitted) * normal, side) >= 0.0) {
       normal = side;
       turned = 0.0;
       float slanted = dot(arrival, side), sine2 = eta * eta * max(1.0 - slanted * slanted, 0.0);
@@ -86,14 +102,13 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Cro
     reflectance = 2.0 * once / (1.0 + once);  // both faces, all orders
     reflected = random < reflectance;
   }
-  if (reflected && dot(arrival - 2.0 * dot(arrival, normal) * normal, side) <= 0.0) {
+  if (reflected && !rough && dot(arrival - 2.0 * dot(arrival, normal) * normal, side) <= 0.0) {
     normal = side;
     turned = 0.0;
   }
 
   if (reflected) {
     path.direction = arrival - 2.0 * dot(arrival, normal) * normal;
-    if (HAS_MIRROR && surface.kind == SPECULAR_MIRROR) path.throughput *= surface.tint;
     if (HAS_DIFFERENTIALS) reflect_differential(path.differential, point, turned, arrival, normal);
     if (HAS_DIFFERENTIALS && HAS_AREA) reflect_differential(path.by_light, point, turned, arrival, normal);
   } else {
@@ -104,11 +119,20 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Cro
       path.absorption = front ? surface.absorption : vec3(0.0);
       if (HAS_DIFFERENTIALS) refract_differential(path.differential, point, turned, arrival, normal, eta, transmitted);
       if (HAS_DIFFERENTIALS && HAS_AREA) refract_differential(path.by_light, point, turned, arrival, normal, eta, transmitted);
+    } else if (rough) {
+      // A rough sheet lets light through as it reflects it, to the other side.
+      path.direction = reflect(reflect(arrival, normal), mean);
     }
+  }
+  vec3 beyond = reflected ? side : -side;
+  if (rough) {
+    float left = dot(path.direction, mean);
+    bool lost = dot(path.direction, beyond) <= 0.0 || (reflected ? left <= 0.0 : left >= 0.0);
+    path.throughput *= lost ? 0.0 : unhidden(abs(left), surface.alpha);
   }
   if (HAS_NESTED) be_in(path, reflected ? crossing.before : crossing.beyond);
   path.direction = normalize(path.direction);
-  path.origin = leave(point.position, reflected ? side : -side);
+  path.origin = leave(point.position, beyond);
   path.triangle = point.triangle;
   return reflectance;
 }

@@ -13,6 +13,8 @@ FETCH_TABLE(BIND_VIEW, view)
 layout(set = 0, binding = BIND_ENDS, std430) writeonly buffer Ends { PhotonEnd ends[]; };
 layout(set = 0, binding = BIND_DISCS, std430) writeonly buffer Discs { PhotonDisc discs[]; };
 layout(set = 0, binding = BIND_SAMPLES, std430) buffer Samples { PixelSample samples[]; };
+layout(set = 0, binding = BIND_ARRIVALS, std430) writeonly buffer Arrivals { uint arrivals[]; };
+layout(set = 0, binding = BIND_GLOSS, std430) buffer Gloss { PixelGloss glosses[]; };
 
 const uint BEAM_TEXELS = 14u;
 
@@ -69,7 +71,17 @@ void store(uint slot, Path path, float reach, vec3 position, vec3 side, uint map
   vec3 alpha, beta, flux = path.throughput;
   make_disc(path.differential, push.shrink * reach, path.by_light, push.shrink * light_reach, side, push.narrowest, push.widest, alpha, beta);
   discs[slot] = PhotonDisc(position, with_map(flux.x, map), alpha, flux.y, beta, flux.z);
+  if (HAS_GLOSS) arrivals[slot] = pack_direction(path.direction);
 }
+
+PixelGloss no_gloss() {
+  return PixelGloss(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 1.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0),
+                    0.0);
+}
+
+// The part that a path has, by the density of its direction, of what it sees of a light that others have by `other`: the balance heuristic
+// (Veach 1997).
+float balance(float own, float other) { return own > 0.0 ? own / (own + other) : 0.0; }
 
 // A camera path's start through a place in pixels, from the image's upper left corner.
 Path camera_path(vec2 pixel) {
@@ -88,6 +100,22 @@ Path camera_path(vec2 pixel) {
   return path;
 }
 
+// Whether the path meets the specular part of a surface; where a mirror's face divides a camera path's light (`divides`), it takes its
+// `way`: see branches.h.
+bool meets_its_part(inout Path path, SurfacePoint point, Surface surface, float random, bool certain, bool divides, uint way,
+                    inout PixelSample s) {
+  if (HAS_MIRROR && divides && surface.kind == SPECULAR_MIRROR) {
+    float probability = mirror_probability(surface, mirror_reflectance(surface, abs(dot(path.direction, point.shading))));
+    if (probability > 0.0 && probability < 1.0) {
+      path.throughput *= way_weight(push.branch, s.split, way, probability);
+      s.split = next_split(push.branch, s.split, way);
+      if (way == WAY_REFLECTED) s.emitted = vec3(0.0);
+      if (way != WAY_BY_ROULETTE) random = way == WAY_REFLECTED ? 0.0 : 0.99999994;
+    }
+  }
+  return meets_specular(path, point, surface, random, certain);
+}
+
 void main() {
   uint invocation = invocation_index();
   if (invocation >= push.count) return;
@@ -104,6 +132,7 @@ void main() {
   float power;
   uint map = MAP_TARGETED;
   PixelSample s;                // of a camera path
+  PixelGloss gloss;             // the same where an outer face reflects
   vec2 inside;                  // place in its pixel
   if (camera) {
     uvec4 crop = FETCH(view, 4u), rest = FETCH(view, 5u);
@@ -114,6 +143,7 @@ void main() {
     path = camera_path(vec2(x, y) + inside);
     s = PixelSample(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), END_CUT, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0,
                     vec3(0.0), 0.0, vec3(0.0), 0.0);
+    gloss = no_gloss();
   } else {
     uint b = 0u;
     while (b + 1u < push.beams && item >= FETCH(beams, BEAM_TEXELS * (b + 1u)).w) b += 1u;
@@ -147,6 +177,9 @@ void main() {
   uint scattered = 0u;  // diffuse surfaces so far
   bool passed = false;  // a surface that was no optical event
   uint dimension = DIM_FIRST_BOUNCE;
+  Scattering bounce = Scattering(false, false, 0.0, 1.0);  // of a bounced camera path, at the first diffuse surface
+  bool straight = false;                                   // it has met nothing since
+  Face face;                                               // of the visible point
   LightSample light;
   vec3 unshadowed;
   while (end == END_CUT && met <= push.specular_bounces) {
@@ -180,7 +213,16 @@ void main() {
     Hit hit = intersect(path.origin, path.direction, asking ? shadow_reach(light) : FAR, path.triangle, asking);
     bool missed = hit.triangle == NO_TRIANGLE;
     if (asking && camera) {
-      if (missed) s.direct = unshadowed;
+      if (missed) {
+        s.direct = unshadowed;
+        if (HAS_GLOSS && gloss.reflects != 0u) {
+          // Bounced paths meet the light, too.
+          bool shared_out = push.bounces_gloss != 0u && push.bounced == 0u && light.pdf > 0.0;
+          float other = shared_out ? lobe_probability(face, s.albedo, push.gloss_only != 0u) * lobe_pdf(face, light.direction) : 0.0;
+          float part = shared_out ? balance(light.pdf, other) : 1.0;
+          gloss.direct = gloss.throughput * unshadowed * beyond_lambert(face, s.albedo, light.direction, part);
+        }
+      }
       break;
     }
     if (asking) {
@@ -213,7 +255,14 @@ void main() {
         s.depth = hit.t;
         s.meniscus = float(point.meniscus);
       }
-      if (front || surface.double_sided != 0u) s.emitted += path.throughput * path.radiance_scale * surface.emission;
+      if (front || surface.double_sided != 0u) {
+        // Of what a bounced path sees at once, the surface that it left has asked the lights itself.
+        float part = push.bounced != 0u ? 0.0 : 1.0;
+        if (HAS_GLOSS && HAS_AREA && straight && bounce.by_lobe && any(greaterThan(surface.emission, vec3(0.0))))
+          part = balance(bounce.pdf, area_light_pdf(point.triangle, hit.t, abs(dot(point.geometric, path.direction))));
+        s.emitted += path.throughput * path.radiance_scale * surface.emission * part;
+      }
+      straight = false;
     } else if (first && !on_targets && map != MAP_GLOBAL) {
       // What the light sees first may be no target.
       if (surface.specular == 0.0) {
@@ -232,18 +281,22 @@ void main() {
         continue;
       }
     }
-    bool specular = random_unit(random, dimension) < surface.specular;
     float choice = random_unit(random, dimension + 1u);
+    vec2 facet = vec2(0.0);
+    if (HAS_ROUGH) facet = vec2(random_unit(random, DIM_FIRST_FACET + dimension), random_unit(random, DIM_FIRST_FACET + dimension + 1u));
+    uint way = camera && scattered == 0u ? branch_way(push.branch, s.split, choice) : WAY_BY_ROULETTE;
+    // What is not reflected at a photon's first surface, direct light has.
+    bool certain = !camera && first && map != MAP_GLOBAL && push.keeps_specular == 0u;
+    bool specular = meets_its_part(path, point, surface, random_unit(random, dimension), certain, camera && scattered == 0u, way, s);
     dimension += BOUNCE_DIMENSIONS;
     if (specular) {
       if (HAS_SCATTERING && first && map == MAP_GLOBAL && push.keeps_specular == 0u) {
         end = END_DROPPED;  // beams towards the targets have its light
         break;
       }
-      uint way = camera && scattered == 0u ? branch_way(push.branch, s.split, choice) : WAY_BY_ROULETTE;
       if (way != WAY_BY_ROULETTE) choice = way == WAY_REFLECTED ? 0.0 : 0.99999994;
       if (met < push.specular_bounces) {
-        float reflectance = scatter_specular(path, point, surface, crossing, choice);
+        float reflectance = scatter_specular(path, point, surface, crossing, choice, facet);
         if (camera && scattered == 0u && reflectance > 0.0 && reflectance < 1.0) {
           path.throughput *= way_weight(push.branch, s.split, way, reflectance);
           if (way == WAY_REFLECTED) s.emitted = vec3(0.0);
@@ -253,26 +306,29 @@ void main() {
       met += 1u;
       continue;
     }
-    if (HAS_SCATTERING && (push.scatterings > 0u || push.keeps_caustics != 0u) && (camera || !first || map == MAP_GLOBAL)) {
+    if (HAS_SCATTERING && (camera ? push.bounced != 0u && scattered == 0u
+                                  : (push.scatterings > 0u || push.keeps_caustics != 0u) && (!first || map == MAP_GLOBAL))) {
       uint numbers = DIM_FIRST_SCATTERING + SCATTERING_DIMENSIONS * scattered;
       // Of the global map's photons: light that is direct, or that the other maps have.
       bool theirs = !camera && scattered == 0u && (met == 0u || push.keeps_caustics == 0u);
-      float stops = theirs                         ? 0.0
+      float stops = camera || theirs                ? 0.0
                     : scattered == push.scatterings ? 1.0
-                    : camera                        ? 0.0
-                                                    : storing_probability(surface.albedo);
+                                                    : storing_probability(surface.albedo + surface.f0);
       if (theirs && push.scatterings == 0u) {
         end = END_DROPPED;
         break;
       }
       if (random_unit(random, numbers) >= stops) {
         vec3 normal = camera && dot(point.shading, side) > 0.0 ? point.shading : side;
-        path.throughput *= surface.albedo / (1.0 - stops);
-        bool goes_on = scatter_diffusely(path, point, side, normal, vec2(random_unit(random, numbers + 1u), random_unit(random, numbers + 2u)));
-        if (!goes_on || all(equal(surface.albedo, vec3(0.0)))) {
+        path.throughput /= 1.0 - stops;
+        bounce = scatter(path, point, surface, side, normal, camera && push.gloss_only != 0u, random_unit(random, numbers + 3u),
+                         vec2(random_unit(random, numbers + 1u), random_unit(random, numbers + 2u)));
+        if (!bounce.goes_on) {
           end = END_ABSORBED;
           break;
         }
+        gloss.scattered = bounce.by_lobe ? 0.0 : 1.0 / bounce.passed;
+        straight = true;
         scattered += 1u;
         met = 0u;
         continue;
@@ -288,6 +344,13 @@ void main() {
       s.albedo = surface.albedo;
       s.triangle = point.triangle;
       s.weight = path.throughput * path.radiance_scale * surface.albedo * 0.318309886183791;
+      if (HAS_GLOSS && is_glossy(surface)) {
+        face = make_face(surface, point, side, -path.direction);
+        gloss.reflects = 1u;
+        gloss.normal = face.normal, gloss.outgoing = face.outgoing;
+        gloss.alpha = face.alpha, gloss.f0 = face.f0, gloss.f90 = face.f90;
+        gloss.throughput = path.throughput * path.radiance_scale;
+      }
       asking = push.light_count > 0u;
       if (!asking) break;
     } else {
@@ -299,10 +362,10 @@ void main() {
 
   if (camera) {
     if (end == END_ESCAPED) s.triangle = END_ESCAPED;
-    if (HAS_SCATTERING && push.scatterings > 0u) s.emitted = vec3(0.0);  // the paths that end at the first diffuse surface have it
     if (branch_ends_empty(push.branch, s.split)) {
       s.triangle = END_DROPPED;
       s.weight = s.emitted = vec3(0.0);
+      gloss = no_gloss();
     }
     // All of a pixel's samples are gathered at its centre, so on one triangle at one place.
     s.lit = push.keeps != 0u && samples[slot].triangle == s.triangle ? 1u : 0u;
@@ -310,8 +373,11 @@ void main() {
       s.targeted = samples[slot].targeted, s.targeted_count = samples[slot].targeted_count;
       s.caustic = samples[slot].caustic, s.caustic_count = samples[slot].caustic_count;
       s.global = samples[slot].global, s.global_count = samples[slot].global_count;
+      if (HAS_GLOSS)
+        gloss.targeted = glosses[slot].targeted, gloss.caustic = glosses[slot].caustic, gloss.global = glosses[slot].global;
     }
     samples[slot] = s;
+    if (HAS_GLOSS) glosses[slot] = gloss;
   } else {
     path.throughput.x = with_map(path.throughput.x, map);
     ends[slot] = PhotonEnd(point.position, end, path.throughput, entered);

@@ -25,6 +25,8 @@ layout(constant_id = 8) const float SCENE_RADIUS = 1.0;
 layout(constant_id = 9) const bool HAS_DIFFERENTIALS = true;  // paths carry the derivatives that shape photons' discs
 layout(constant_id = 10) const bool HAS_EMISSION = true;  // photons start on the lights
 layout(constant_id = 11) const bool HAS_SCATTERING = true;  // paths go on from diffuse surfaces
+layout(constant_id = 13) const bool HAS_GLOSS = true;   // an outer face above a diffuse surface reflects
+layout(constant_id = 14) const bool HAS_ROUGH = true;   // rough specular surfaces
 layout(constant_id = 12) const bool HAS_NESTED = true;  // dielectrics lie in each other
 
 Surface fetch_surface(uint i) {

@@ -81,6 +81,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
             options.integrator == Integrator::ordinary ? light_beams(world, photons)
                                                        : make_beams(world, default_starts(world), photons));
   set_global(settings, options, world);
+  settings.bounces_gloss = world.glossy && settings.diffuse_bounces > 0 && settings.integrator != Integrator::path;
   return settings;
 }
 

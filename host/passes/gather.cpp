@@ -9,7 +9,8 @@ namespace {
 
 std::vector<gpu::Binding> layout(bool texel) {
   const gpu::Kind storage = gpu::Kind::storage, table = texel ? gpu::Kind::texel : storage;
-  return {{0, table}, {1, table}, {2, storage}, {3, storage}, {4, table}, {5, table}};
+  return {{0, table}, {1, table}, {2, storage}, {3, storage}, {4, table},
+          {5, table}, {6, table}, {7, table},   {8, storage}};
 }
 
 // Pixels run in blocks of 8 x 8, whole ones at the edges too.
@@ -21,9 +22,9 @@ std::uint32_t invocations(const PixelTile& tile) {
 }  // namespace
 
 GatherPass::GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
-                       const std::vector<PixelTile>& tiles, bool global, bool texel)
+                       const std::vector<PixelTile>& tiles, bool global, bool glossy, bool texel)
     : counters_(device, "gather counters", shared::COUNTERS * 4),
-      pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush), {global}),
+      pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush), {global, glossy}),
       tiles_(tiles) {
   for (const PixelTile& tile : tiles)
     buffers_.push_back(pass_.bind({{0, photons.discs, gpu::Format::rgba32ui},
@@ -31,14 +32,18 @@ GatherPass::GatherPass(const gpu::Device& device, const PhotonBuffers& photons, 
                                    {2, tile.samples},
                                    {3, counters_},
                                    {4, grid.listed, gpu::Format::r32ui},
-                                   {5, tile.samples, gpu::Format::rgba32ui}}));
+                                   {5, tile.samples, gpu::Format::rgba32ui},
+                                   {6, photons.arrivals, gpu::Format::r32ui},
+                                   {7, tile.gloss, gpu::Format::rgba32ui},
+                                   {8, tile.gloss}}));
 }
 
-void GatherPass::run(gpu::Commands& commands, const Grid& grid) {
+void GatherPass::run(gpu::Commands& commands, const Grid& grid, float lobe_part) {
   shared::GatherPush push{};
   push.narrowest = static_cast<float>(grid.discs.narrowest);
   push.levels = grid.levels;
   push.cell_mask = grid.mask;
+  push.lobe_part = lobe_part;
   commands.fill(counters_, 0);
   std::uint32_t most = 0;
   while (push.first_candidate <= most) {

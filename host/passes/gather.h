@@ -8,11 +8,13 @@ namespace meniscal::passes {
 
 class GatherPass {
  public:
-  // `tiles` must outlive the pass, which adds to their samples. `global`: the photons are the global map's.
+  // `tiles` must outlive the pass, which adds to their samples. `global`: the photons are the global map's. `glossy`:
+  // outer faces reflect.
   GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
-             const std::vector<PixelTile>& tiles, bool global, bool texel);
+             const std::vector<PixelTile>& tiles, bool global, bool glossy, bool texel);
   // Submits as many rounds as the pixel with the most candidates needs, after what is recorded already.
-  void run(gpu::Commands& commands, const Grid& grid);
+  // `lobe_part`: of outer faces' lobes, by which the map is reflected.
+  void run(gpu::Commands& commands, const Grid& grid, float lobe_part = 1);
 
  private:
   gpu::Buffer counters_;

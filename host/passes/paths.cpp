@@ -1,5 +1,7 @@
 #include "host/passes/paths.h"
 
+#include <algorithm>
+
 #include "host/world/media.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/bindings.h"
@@ -8,10 +10,15 @@
 namespace meniscal::passes {
 namespace {
 
+bool is_rough_specular(const shared::Surface& s) {
+  return s.alpha > 0 && (s.kind == shared::SPECULAR_DIELECTRIC || s.kind == shared::SPECULAR_THIN);
+}
+
 gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, const World& world,
                            const RenderSettings& settings) {
   std::vector<gpu::Binding> layout = tables.layout();
-  for (std::uint32_t binding : {BIND_ENDS, BIND_DISCS, BIND_SAMPLES}) layout.push_back({binding, gpu::Kind::storage});
+  for (std::uint32_t binding : {BIND_ENDS, BIND_DISCS, BIND_SAMPLES, BIND_ARRIVALS, BIND_GLOSS})
+    layout.push_back({binding, gpu::Kind::storage});
   for (std::uint32_t binding : {BIND_BEAMS, BIND_VIEW})
     layout.push_back({binding, tables.texel ? gpu::Kind::texel : gpu::Kind::storage});
   return {device,
@@ -22,7 +29,9 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
           tables.constants({.differentials = !settings.caustics.discs.round(),
                             .emission = settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0,
                             .scattering = settings.diffuse_bounces > 0,
-                            .nested = !why_nested(world, settings.camera_media).empty()})};
+                            .nested = !why_nested(world, settings.camera_media).empty(),
+                            .gloss = world.glossy,
+                            .rough = std::any_of(world.surfaces.begin(), world.surfaces.end(), is_rough_specular)})};
 }
 
 shared::CameraView make_view(const RenderSettings& settings, std::uint32_t pass) {
@@ -71,6 +80,8 @@ PathsPass::PathsPass(const gpu::Device& device, const World& world, const SceneT
     bound.push_back({BIND_ENDS, photons.ends});
     bound.push_back({BIND_DISCS, photons.discs});
     bound.push_back({BIND_SAMPLES, tile.samples});
+    bound.push_back({BIND_ARRIVALS, photons.arrivals});
+    bound.push_back({BIND_GLOSS, tile.gloss});
     bound.push_back({BIND_BEAMS, beams, gpu::Format::rgba32ui});
     bound.push_back({BIND_VIEW, view_, gpu::Format::rgba32ui});
     return pass_.bind(bound);
@@ -106,7 +117,9 @@ void PathsPass::trace_camera(gpu::Commands& commands, const RenderSettings& sett
   shared::PathPush push = make_push(world_, settings, shared::PATHS_CAMERA, pass);
   push.sample_index = view.sample;
   push.branch = view.branch;
-  push.scatterings = view.bounced ? 1 : 0;
+  push.bounced = view.bounced ? 1 : 0;
+  push.gloss_only = settings.final_gathering ? 0 : 1;
+  push.bounces_gloss = settings.bounces_gloss ? 1 : 0;
   push.keeps = keeps_irradiance(settings, view) ? 1 : 0;
   for (std::size_t t = 0; t < tiles_.size() && tiles_[t].first < settings.crop.pixels(); ++t) {
     push.buffer_first = tiles_[t].first;

@@ -5,9 +5,10 @@
 
 namespace meniscal::passes {
 
-PhotonBuffers::PhotonBuffers(const gpu::Device& device, std::size_t capacity)
+PhotonBuffers::PhotonBuffers(const gpu::Device& device, std::size_t capacity, bool glossy)
     : ends(device, "photon ends", capacity * sizeof(shared::PhotonEnd)),
-      discs(device, "photon discs", capacity * sizeof(shared::PhotonDisc)) {}
+      discs(device, "photon discs", capacity * sizeof(shared::PhotonDisc)),
+      arrivals(device, "photon arrivals", (glossy ? capacity : 1) * sizeof(std::uint32_t)) {}
 
 namespace {
 

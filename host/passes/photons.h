@@ -9,7 +9,8 @@ namespace meniscal::passes {
 // One slot per started photon.
 struct PhotonBuffers {
   gpu::Buffer ends, discs;
-  PhotonBuffers(const gpu::Device& device, std::size_t capacity);
+  gpu::Buffer arrivals;  // uint: pack_direction; one where nothing asks which way a photon came
+  PhotonBuffers(const gpu::Device& device, std::size_t capacity, bool glossy);
 };
 
 // The hash grid in one pass: cells of several sizes, each photon in those of its disc's size that the disc reaches

@@ -24,7 +24,7 @@ std::vector<Texel> scene_texels(const World& world) {
   for (const WorldTriangle& t : world.triangles) {
     record[0] = pack(t.corner[0], t.material);
     record[1] = pack(t.corner[1], t.meniscus ? 1 : 0);
-    record[2] = pack(t.corner[2], 0);
+    record[2] = pack(t.corner[2], t.light);
     record[3] = pack(t.geometric, 0);  // computed in double: float corners of a small triangle would tilt it by degrees
     record += 4;
   }
@@ -96,7 +96,8 @@ void SceneTables::collect_counters() {
 
 std::vector<std::uint32_t> SceneTables::constants(const PathFeatures& features) const {
   std::vector<std::uint32_t> constants = scene_constants;
-  for (const bool feature : {features.differentials, features.emission, features.scattering, features.nested})
+  for (const bool feature : {features.differentials, features.emission, features.scattering, features.nested,
+                             features.gloss, features.rough})
     constants.push_back(feature);
   return constants;
 }

@@ -12,6 +12,8 @@ struct PathFeatures {
   bool emission = false;       // photons start on the lights
   bool scattering = false;     // they go on from diffuse surfaces
   bool nested = false;         // they keep count of the dielectrics that they are inside of
+  bool gloss = false;          // outer faces above diffuse surfaces reflect
+  bool rough = false;          // specular surfaces are rough
 };
 
 struct SceneTables {

@@ -20,20 +20,66 @@ std::vector<PhotonEnd> ReferenceBackend::trace_photons(std::uint32_t pass) {
   return ends;
 }
 
-std::vector<shared::PixelSample> ReferenceBackend::trace_camera(std::uint32_t pass, const View& view) {
+Samples ReferenceBackend::trace_paths(std::uint32_t pass, const View& view) const {
   const CameraAxes axes = camera_axes(settings_.camera, settings_.width, settings_.height);
   const Crop& crop = settings_.crop;
-  std::vector<shared::PixelSample> samples;
+  Samples samples;
   for (std::uint32_t y = crop.y0; y < crop.y1; ++y)
-    for (std::uint32_t x = crop.x0; x < crop.x1; ++x)
-      samples.push_back(settings_.integrator == Integrator::path
-                            ? trace_whole_path(tracer_, settings_, axes, pass, view.sample, x, y)
-                            : trace_camera_path(tracer_, settings_, axes, pass, view, x, y));
+    for (std::uint32_t x = crop.x0; x < crop.x1; ++x) {
+      const CameraSample sample = settings_.integrator == Integrator::path
+                                      ? trace_whole_path(tracer_, settings_, axes, pass, view.sample, x, y)
+                                      : trace_camera_path(tracer_, settings_, axes, pass, view, x, y);
+      samples.pixels.push_back(sample.pixel);
+      if (world_.glossy) samples.gloss.push_back(sample.gloss);
+    }
   return samples;
+}
+
+std::vector<shared::PixelSample> ReferenceBackend::trace_camera(std::uint32_t pass, const View& view) {
+  return trace_paths(pass, view).pixels;
 }
 
 Backend::Statistics ReferenceBackend::statistics() const {
   return {.device_name = "cpu", .device_type = "reference", .driver = "none", .rays = tracer_.rays()};
+}
+
+namespace {
+
+// The maps' light of another sample at the same place.
+void keep(shared::PixelSample& sample, shared::PixelGloss* gloss, const shared::PixelSample& from,
+          const shared::PixelGloss* gloss_from) {
+  sample.lit = 1;
+  sample.targeted = from.targeted, sample.targeted_count = from.targeted_count;
+  sample.caustic = from.caustic, sample.caustic_count = from.caustic_count;
+  sample.global = from.global, sample.global_count = from.global_count;
+  if (gloss)
+    gloss->targeted = gloss_from->targeted, gloss->caustic = gloss_from->caustic, gloss->global = gloss_from->global;
+}
+
+}  // namespace
+
+void ReferenceBackend::light(shared::PixelSample& sample, shared::PixelGloss* gloss, const View& view,
+                             const PhotonMap& caustics, const PhotonMap& global) const {
+  const glm::dvec3 position(sample.position), normal(sample.normal), albedo(sample.albedo);
+  const bool reflects = gloss && gloss->reflects;
+  const Face face = reflects ? Face{glm::dvec3(gloss->normal), glm::dvec3(gloss->outgoing), double(gloss->alpha),
+                                    glm::dvec3(gloss->f0), double(gloss->f90)}
+                             : Face{};
+  const auto set = [&](glm::vec3& irradiance, float& count, glm::vec3 shared::PixelGloss::*beyond,
+                       const Density& density) {
+    irradiance = glm::vec3(density.irradiance);
+    count = static_cast<float>(density.photons);
+    if (reflects) gloss->*beyond = glm::vec3(glm::dvec3(gloss->throughput) * density.beyond_lambert);
+  };
+  if (shows_caustics(settings_, view)) {
+    const auto found = caustics.estimate(position, normal, reflects ? &face : nullptr, albedo);
+    set(sample.targeted, sample.targeted_count, &shared::PixelGloss::targeted, found[shared::MAP_TARGETED]);
+    set(sample.caustic, sample.caustic_count, &shared::PixelGloss::caustic, found[shared::MAP_CAUSTIC]);
+  }
+  if (shows_global(settings_, view))
+    set(sample.global, sample.global_count, &shared::PixelGloss::global,
+        global.estimate(position, normal, reflects ? &face : nullptr, albedo,
+                        double(global_lobe_part(view)))[shared::MAP_GLOBAL]);
 }
 
 Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
@@ -47,31 +93,16 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
 
   const PhotonMap caustics_map(caustics, pass_discs(settings_.caustics.discs, pass).widest);
   const PhotonMap global_map(global, pass_discs(settings_.global.discs, pass).widest);
-  std::vector<shared::PixelSample> before;
+  Samples before;
   for (const View& view : views_of(settings_)) {
-    std::vector<shared::PixelSample> samples = trace_camera(pass, view);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      shared::PixelSample& sample = samples[i];
-      if (sample.triangle >= shared::END_FIRST) continue;
-      if (keeps_irradiance(settings_, view) && before[i].triangle == sample.triangle) {
-        sample.lit = 1;
-        sample.targeted = before[i].targeted, sample.targeted_count = before[i].targeted_count;
-        sample.caustic = before[i].caustic, sample.caustic_count = before[i].caustic_count;
-        sample.global = before[i].global, sample.global_count = before[i].global_count;
-        continue;
-      }
-      const glm::dvec3 position(sample.position), normal(sample.normal);
-      const auto set = [](glm::vec3& irradiance, float& count, const Density& density) {
-        irradiance = glm::vec3(density.irradiance);
-        count = static_cast<float>(density.photons);
-      };
-      if (shows_caustics(view)) {
-        const auto found = caustics_map.estimate(position, normal);
-        set(sample.targeted, sample.targeted_count, found[shared::MAP_TARGETED]);
-        set(sample.caustic, sample.caustic_count, found[shared::MAP_CAUSTIC]);
-      }
-      if (shows_global(settings_, view))
-        set(sample.global, sample.global_count, global_map.estimate(position, normal)[shared::MAP_GLOBAL]);
+    Samples samples = trace_paths(pass, view);
+    for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
+      if (samples.pixels[i].triangle >= shared::END_FIRST) continue;
+      shared::PixelGloss* gloss = world_.glossy ? &samples.gloss[i] : nullptr;
+      if (keeps_irradiance(settings_, view) && before.pixels[i].triangle == samples.pixels[i].triangle)
+        keep(samples.pixels[i], gloss, before.pixels[i], gloss ? &before.gloss[i] : nullptr);
+      else
+        light(samples.pixels[i], gloss, view, caustics_map, global_map);
     }
     take(samples, view);
     before = std::move(samples);

@@ -1,7 +1,7 @@
 // The reference path as a backend: serial, double precision, naive.
 #pragma once
 
-#include "host/reference/photons.h"
+#include "host/reference/density.h"
 #include "host/render/backend.h"
 
 namespace meniscal::reference {
@@ -19,6 +19,10 @@ class ReferenceBackend final : public Backend {
 
  private:
   std::vector<Photon> photons(std::uint32_t pass, bool global) const;
+  Samples trace_paths(std::uint32_t pass, const View& view) const;
+  // Adds the maps' light to a sample; `gloss`: none where no outer face reflects.
+  void light(shared::PixelSample& sample, shared::PixelGloss* gloss, const View& view, const PhotonMap& caustics,
+             const PhotonMap& global) const;
 
   const World& world_;
   RenderSettings settings_;

@@ -4,6 +4,8 @@
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
+#include "shaders/shared/material.h"
+
 namespace meniscal::reference {
 
 Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const glm::dvec2& pixel) {
@@ -22,34 +24,71 @@ Path camera_ray(const RenderSettings& settings, const CameraAxes& axes, const gl
   return path;
 }
 
-glm::dvec3 direct_irradiance(const Tracer& tracer, const Hit& hit, const glm::dvec3& side, const glm::dvec3& shading,
-                             const glm::dvec3& absorption, const shared::RandomKey& key) {
-  if (tracer.world().lights.empty()) return glm::dvec3(0);
-  const LightSample light = sample_lights(tracer.world(), tracer.world().light_first, hit.point, key, false);
-  const double cosine = glm::dot(light.direction, shading);
-  if (cosine <= 0 || glm::dot(light.direction, side) <= 0 || light.irradiance == glm::dvec3(0)) return glm::dvec3(0);
-  if (!visible(tracer, hit.point, hit.triangle, side, light)) return glm::dvec3(0);
+Direct ask_lights(const Tracer& tracer, const DiffusePoint& point, const glm::dvec3& absorption,
+                  std::optional<Lobes> bounced, const shared::RandomKey& key) {
+  Direct direct;
+  const World& world = tracer.world();
+  if (world.lights.empty()) return direct;
+  const LightSample light = sample_lights(world, world.light_first, point.hit.point, key, false);
+  const double cosine = glm::dot(light.direction, point.shading);
+  if (cosine <= 0 || glm::dot(light.direction, point.side) <= 0 || light.irradiance == glm::dvec3(0)) return direct;
+  if (!visible(tracer, point.hit.point, point.hit.triangle, point.side, light)) return direct;
   // Nothing stands between: the light is in the medium that the camera path has come through.
   const double way = std::isfinite(light.distance) ? light.distance : 0;
-  return light.irradiance * cosine * glm::exp(-absorption * way);
+  direct.irradiance = light.irradiance * cosine * glm::exp(-absorption * way);
+  if (point.glossy) {
+    const double other = bounced ? scattering_pdf(point, *bounced, light.direction) : 0;
+    const double part = light.pdf > 0 ? balance(light.pdf, other) : 1;
+    direct.beyond_lambert =
+        direct.irradiance * beyond_lambert(point.face, glm::dvec3(point.surface.albedo), light.direction, part);
+  }
+  return direct;
 }
 
-shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings& settings, const CameraAxes& axes,
-                                      std::uint32_t pass, const View& view, std::uint32_t x, std::uint32_t y) {
+namespace {
+
+// From the pixel's centre, in pixels.
+glm::dvec2 place_in_pixel(const RenderSettings& settings, const shared::RandomKey& key, std::uint32_t sample) {
+  return double(pixel_jitter(settings, key.pass)) * (glm::dvec2(shared::pixel_place(key, sample)) - 0.5);
+}
+
+// The way of a path at a mirror's face that divides the light: see branches.h. True where it is reflected.
+bool divide(Path& path, shared::PixelSample& sample, const shared::Surface& surface, const Hit& hit,
+            std::uint32_t branch, double random, float coin) {
+  const glm::vec3 face =
+      shared::mirror_reflectance(surface, static_cast<float>(std::abs(glm::dot(path.ray.direction, hit.shading))));
+  const float probability = shared::mirror_probability(surface, face);
+  if (!(probability > 0 && probability < 1)) return meets_specular(path, hit, surface, random);
+  const std::uint32_t way = shared::branch_way(branch, sample.split, coin);
+  path.throughput *= double(shared::way_weight(branch, sample.split, way, probability));
+  sample.split = shared::next_split(branch, sample.split, way);
+  return meets_specular(path, hit, surface,
+                        way == shared::WAY_REFLECTED ? 0
+                        : way == shared::WAY_THROUGH ? 0.99999994
+                                                     : random);
+}
+
+}  // namespace
+
+CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& settings, const CameraAxes& axes,
+                               std::uint32_t pass, const View& view, std::uint32_t x, std::uint32_t y) {
   const World& world = tracer.world();
   shared::RandomKey key{settings.seed, pass, shared::STREAM_CAMERA, y * settings.width + x};
-  // From the pixel's centre, in pixels.
-  const glm::dvec2 inside =
-      double(pixel_jitter(settings, pass)) * (glm::dvec2(shared::pixel_place(key, view.sample)) - 0.5);
+  const glm::dvec2 inside = place_in_pixel(settings, key, view.sample);
   key.stream += view.sample;
+  const auto number = [&](std::uint32_t dimension) { return double(shared::random_unit(key, dimension)); };
   Path path = camera_ray(settings, axes, glm::dvec2(x, y) + 0.5 + inside);
   be_in(path, world, unpack_media(settings.camera_media));
-  shared::PixelSample sample{};
+  CameraSample result;
+  shared::PixelSample& sample = result.pixel;
+  shared::PixelGloss& gloss = result.gloss;
+  gloss.scattered = 1;
   sample.triangle = shared::END_CUT;
   glm::dvec3 emitted(0);
-  const std::uint32_t scatterings = view.bounced ? 1 : 0;
-  std::uint32_t dimension = shared::DIM_FIRST_BOUNCE, scattered = 0;
-  bool first = true;
+  std::uint32_t dimension = shared::DIM_FIRST_BOUNCE;
+  Scattering bounce{.goes_on = view.bounced};  // at the first diffuse surface of a bounced view
+  bool bounced = false, first = true;
+  bool straight = false;                                            // nothing was met since the bounce
   for (std::uint32_t met = 0; met <= settings.specular_bounces;) {  // specular surfaces since the last diffuse one
     auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) {
@@ -67,59 +106,82 @@ shared::PixelSample trace_camera_path(const Tracer& tracer, const RenderSettings
       first = false;
     }
     const glm::dvec3 throughput = path.throughput * path.radiance_scale;
-    if (front || surface.double_sided) emitted += throughput * glm::dvec3(surface.emission);
+    if (front || surface.double_sided) {
+      // Of what a bounced path sees at once, the surface that it left has asked the lights itself.
+      double part = view.bounced ? 0 : 1;
+      if (straight && bounce.by_lobe)
+        part = balance(bounce.pdf, area_light_pdf(world, hit->triangle, hit->t,
+                                                  std::abs(glm::dot(triangle.geometric, path.ray.direction))));
+      emitted += throughput * glm::dvec3(surface.emission) * part;
+    }
+    straight = false;
     if (pass_straight(path, *hit, tracer)) continue;
-    const bool specular = double(shared::random_unit(key, dimension)) < double(surface.specular);
-    const float choice = shared::random_unit(key, dimension + 1);
+    const bool own_way = bounced;  // by roulette
+    const double random = number(dimension), coin = number(dimension + 1);
+    const glm::dvec2 facet{number(shared::DIM_FIRST_FACET + dimension),
+                           number(shared::DIM_FIRST_FACET + dimension + 1)};
     dimension += shared::BOUNCE_DIMENSIONS;
+    const std::uint32_t branch = own_way ? shared::BRANCH_ROULETTE : view.branch;
+    float split = sample.split;
+    const bool divided = surface.kind == shared::SPECULAR_MIRROR;
+    const bool specular = divided && !own_way
+                              ? divide(path, sample, surface, *hit, branch, random, static_cast<float>(coin))
+                              : meets_specular(path, *hit, surface, random);
     if (specular) {
       if (met++ == settings.specular_bounces) break;
-      const std::uint32_t way =
-          scattered == 0 ? shared::branch_way(view.branch, sample.split, choice) : shared::WAY_BY_ROULETTE;
-      const double reflectance = scatter_specular(path, *hit, surface, tracer,
-                                                  way == shared::WAY_REFLECTED ? 0
-                                                  : way == shared::WAY_THROUGH ? 0.99999994
-                                                                               : double(choice));
-      if (scattered == 0 && reflectance > 0 && reflectance < 1) {
-        path.throughput *= double(shared::way_weight(view.branch, sample.split, way, static_cast<float>(reflectance)));
-        if (way == shared::WAY_REFLECTED) emitted = glm::dvec3(0);
-        sample.split = shared::next_split(view.branch, sample.split, way);
+      const std::uint32_t way = shared::branch_way(branch, split, static_cast<float>(coin));
+      const double choice = way == shared::WAY_REFLECTED ? 0 : way == shared::WAY_THROUGH ? 0.99999994 : coin;
+      const double reflectance = scatter_specular(path, *hit, surface, tracer, choice, facet);
+      if (!own_way && reflectance > 0 && reflectance < 1) {
+        path.throughput *= double(shared::way_weight(branch, split, way, static_cast<float>(reflectance)));
+        sample.split = shared::next_split(branch, split, way);
       }
+      if (sample.split != split && way == shared::WAY_REFLECTED) emitted = glm::dvec3(0);
       continue;
     }
-    const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
-    const glm::dvec3 shading = front ? hit->shading : -hit->shading;
-    if (scattered < scatterings) {
-      const std::uint32_t numbers = shared::DIM_FIRST_SCATTERING + shared::SCATTERING_DIMENSIONS * scattered + 1;
-      path.throughput *= glm::dvec3(surface.albedo);
-      const bool goes_on =
-          scatter_diffusely(tracer, path, *hit, side, glm::dot(shading, side) > 0 ? shading : side,
-                            {double(shared::random_unit(key, numbers)), double(shared::random_unit(key, numbers + 1))});
-      if (!goes_on || surface.albedo == glm::vec3(0)) break;
-      ++scattered;
+    const DiffusePoint point(world, *hit, surface, path.ray.direction);
+    if (view.bounced && !bounced) {
+      const std::uint32_t numbers = shared::DIM_FIRST_SCATTERING + 1;
+      const glm::dvec3 normal = glm::dot(point.shading, point.side) > 0 ? point.shading : point.side;
+      bounce = scatter(tracer, path, point, normal, bounced_lobes(settings), number(numbers + 2),
+                       {number(numbers), number(numbers + 1)});
+      if (!bounce.goes_on) break;
+      gloss.scattered = static_cast<float>(bounce.by_lobe ? 0 : 1 / bounce.passed);
+      bounced = straight = true;
       met = 0;
       continue;
     }
     // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread.
     glm::dvec3 shift = -inside.x * path.differential.place[0] - inside.y * path.differential.place[1];
-    if (scattered > 0 || settings.caustics.discs.round() || !(glm::length(shift) < most_shift(settings)))
+    if (bounced || settings.caustics.discs.round() || !(glm::length(shift) < most_shift(settings)))
       shift = glm::dvec3(0);
+    const Direct direct =
+        ask_lights(tracer, point, path.absorption,
+                   settings.bounces_gloss && !bounced ? std::optional(bounced_lobes(settings)) : std::nullopt, key);
+    const glm::dvec3 arriving = path.throughput * path.radiance_scale;
     sample.position = glm::vec3(hit->point + shift);
-    sample.normal = glm::vec3(side);
+    sample.normal = glm::vec3(point.side);
     sample.albedo = surface.albedo;
     sample.triangle = hit->triangle;
-    sample.weight = glm::vec3(throughput * glm::dvec3(surface.albedo) * glm::one_over_pi<double>());
-    sample.direct = glm::vec3(direct_irradiance(tracer, *hit, side, shading, path.absorption, key));
+    sample.weight = glm::vec3(arriving * glm::dvec3(surface.albedo) * glm::one_over_pi<double>());
+    sample.direct = glm::vec3(direct.irradiance);
+    if (point.glossy) {
+      gloss.reflects = 1;
+      gloss.normal = glm::vec3(point.face.normal);
+      gloss.outgoing = glm::vec3(point.face.outgoing);
+      gloss.alpha = surface.alpha, gloss.f0 = surface.f0, gloss.f90 = surface.f90;
+      gloss.throughput = glm::vec3(arriving);
+      gloss.direct = glm::vec3(arriving * direct.beyond_lambert);
+    }
     break;
   }
-  // The paths that end at the first diffuse surface have it; what the next one sees of lights is direct light there.
-  if (view.bounced) emitted = glm::dvec3(0);
   sample.emitted = glm::vec3(emitted);
   if (shared::branch_ends_empty(view.branch, sample.split)) {
     sample.triangle = shared::END_DROPPED;
     sample.weight = sample.emitted = glm::vec3(0);
+    gloss = {};
   }
-  return sample;
+  return result;
 }
 
 }  // namespace meniscal::reference

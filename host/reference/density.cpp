@@ -35,7 +35,9 @@ std::uint64_t PhotonMap::key(const glm::i64vec3& cell) {
   return bits(cell.x) | bits(cell.y) << 21 | bits(cell.z) << 42;
 }
 
-std::array<Density, shared::MAPS> PhotonMap::estimate(const glm::dvec3& position, const glm::dvec3& normal) const {
+std::array<Density, shared::MAPS> PhotonMap::estimate(const glm::dvec3& position, const glm::dvec3& normal,
+                                                      const Face* face, const glm::dvec3& albedo,
+                                                      double lobe_part) const {
   std::array<Density, shared::MAPS> densities;
   if (cells_.empty()) return densities;
   const auto cell = cells_.find(key(glm::i64vec3(glm::floor(position / cell_size_))));
@@ -49,7 +51,10 @@ std::array<Density, shared::MAPS> PhotonMap::estimate(const glm::dvec3& position
         height >= thickness / glm::length(p->disc.alpha))
       continue;
     Density& density = densities[p->map];
-    density.irradiance += p->flux * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) * glm::length(facing));
+    const glm::dvec3 irradiance =
+        p->flux * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) * glm::length(facing));
+    density.irradiance += irradiance;
+    if (face) density.beyond_lambert += irradiance * beyond_lambert(*face, albedo, -p->arrival, lobe_part);
     ++density.photons;
   }
   return densities;

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "host/reference/optics.h"
+#include "host/reference/reflection.h"
+#include "shaders/shared/material.h"
 
 namespace meniscal::reference {
 namespace {
@@ -71,14 +73,25 @@ bool pass_straight(Path& path, const Hit& hit, const Tracer& tracer) {
   return true;
 }
 
-double scatter_specular(Path& path, const Hit& hit, const shared::Surface& surface, const Tracer& tracer,
-                        double random) {
+bool meets_specular(Path& path, const Hit& hit, const shared::Surface& surface, double random, bool certain) {
+  if (surface.kind != shared::SPECULAR_MIRROR) return random < double(surface.specular);
+  const double cosine = std::abs(glm::dot(path.ray.direction, hit.shading));
+  const glm::dvec3 reflectance(shared::mirror_reflectance(surface, static_cast<float>(cosine)));
+  const double probability = certain ? 1 : double(shared::mirror_probability(surface, glm::vec3(reflectance)));
+  const bool specular = random < probability;
+  path.throughput *= specular ? reflectance / probability : glm::dvec3(1 / (1 - probability));
+  return specular;
+}
+
+double scatter_specular(Path& path, const Hit& hit, const shared::Surface& surface, const Tracer& tracer, double random,
+                        const glm::dvec2& facet) {
   const World& world = tracer.world();
   const WorldTriangle& triangle = world.triangles[hit.triangle];
   const glm::dvec3 arrival = path.ray.direction;
   const bool front = glm::dot(arrival, triangle.geometric) < 0;
   const glm::dvec3 side = front ? triangle.geometric : -triangle.geometric;
   const bool dielectric = surface.kind == shared::SPECULAR_DIELECTRIC;
+  const bool rough = surface.alpha > 0;
   const Crossing crossing =
       dielectric ? cross(world, path.media, triangle.material, front) : Crossing{path.media, path.media};
   const double eta = ior_of(medium_of(world, crossing.before)) / ior_of(medium_of(world, crossing.beyond));
@@ -92,13 +105,15 @@ double scatter_specular(Path& path, const Hit& hit, const shared::Surface& surfa
   }
   const auto bend_with_facet = [&] { normal = side, dn = {}; };
   if (glm::dot(arrival, normal) >= 0) bend_with_facet();
+  const glm::dvec3 mean = normal;  // of the microfacets
+  if (rough) normal = visible_normal(normal, -arrival, double(surface.alpha), facet);
 
   bool reflected = true;
   double reflectance = 1;
   if (dielectric) {
     reflectance = fresnel_reflectance(-glm::dot(arrival, normal), eta);
     reflected = random < reflectance;
-    if (!reflected && glm::dot(refract(arrival, normal, eta), side) >= 0) {
+    if (!reflected && !rough && glm::dot(refract(arrival, normal, eta), side) >= 0) {
       bend_with_facet();
       reflected = refracted_cosine(-glm::dot(arrival, side), eta) < 0;
     }
@@ -106,23 +121,31 @@ double scatter_specular(Path& path, const Hit& hit, const shared::Surface& surfa
     reflectance = sheet_reflectance(-glm::dot(arrival, normal), double(surface.ior));
     reflected = random < reflectance;
   }
-  if (reflected && glm::dot(reflect(arrival, normal), side) <= 0) bend_with_facet();
+  if (reflected && !rough && glm::dot(reflect(arrival, normal), side) <= 0) bend_with_facet();
 
   if (reflected) {
     for (int i = 0; i < 2; ++i) reflect(*differentials[i], arrival, normal, dn[i]);
     path.ray.direction = reflect(arrival, normal);
-    if (surface.kind == shared::SPECULAR_MIRROR) path.throughput *= glm::dvec3(surface.tint);
   } else {
     path.throughput *= glm::dvec3(surface.tint);
     if (dielectric) {
       for (int i = 0; i < 2; ++i) refract(*differentials[i], arrival, normal, dn[i], eta);
       path.ray.direction = refract(arrival, normal, eta);
       path.radiance_scale *= eta * eta;
+    } else if (rough) {
+      // A rough sheet lets light through as it reflects it, to the other side.
+      path.ray.direction = reflect(reflect(arrival, normal), mean);
     }
+  }
+  const glm::dvec3 beyond = reflected ? side : -side;
+  if (rough) {
+    const bool lost =
+        glm::dot(path.ray.direction, beyond) <= 0 || glm::dot(path.ray.direction, mean) * glm::dot(beyond, side) <= 0;
+    path.throughput *= lost ? 0 : unhidden(std::abs(glm::dot(path.ray.direction, mean)), double(surface.alpha));
   }
   be_in(path, world, reflected ? crossing.before : crossing.beyond);
   path.ray.direction = glm::normalize(path.ray.direction);
-  path.ray.origin = tracer.leave(hit.point, reflected ? side : -side);
+  path.ray.origin = tracer.leave(hit.point, beyond);
   path.triangle = hit.triangle;
   return reflectance;
 }
@@ -131,14 +154,6 @@ glm::dvec3 around(const glm::dvec3& axis, double sine, double cosine, double tur
   const auto [u, v] = tangents(axis);
   return cosine * axis +
          sine * (std::cos(2 * glm::pi<double>() * turn) * u + std::sin(2 * glm::pi<double>() * turn) * v);
-}
-
-bool scatter_diffusely(const Tracer& tracer, Path& path, const Hit& hit, const glm::dvec3& side,
-                       const glm::dvec3& normal, const glm::dvec2& place) {
-  path.ray = {tracer.leave(hit.point, side), around(normal, std::sqrt(place.x), std::sqrt(1 - place.x), place.y)};
-  path.triangle = hit.triangle;
-  path.differential = path.by_light = {};
-  return glm::dot(path.ray.direction, side) > 0;
 }
 
 void absorb(Path& path, double distance) { path.throughput *= glm::exp(-path.absorption * distance); }
@@ -174,6 +189,8 @@ LightSample sample_light(const World& world, std::uint32_t index, double weight,
   s.direction = (on_light - point) / s.distance;
   s.irradiance /= s.distance * s.distance;
   const double cosine = -glm::dot(s.direction, axis);
+  if (light.type == shared::LIGHT_AREA && cosine != 0)
+    s.pdf = s.distance * s.distance / (std::abs(cosine) * double(light.area) * weight);
   if (light.type == shared::LIGHT_AREA)
     s.irradiance *= double(light.area) * (light.double_sided ? std::abs(cosine) : std::max(cosine, 0.0));
   if (light.type == shared::LIGHT_SPOT) {
@@ -181,6 +198,12 @@ LightSample sample_light(const World& world, std::uint32_t index, double weight,
     s.irradiance *= falloff * falloff;
   }
   return s;
+}
+
+double area_light_pdf(const World& world, std::uint32_t triangle, double distance, double cosine) {
+  const std::uint32_t light = world.triangles[triangle].light;
+  if (light == 0) return 0;
+  return double(world.lights[light - 1].probability) * distance * distance / (world.triangles[triangle].area * cosine);
 }
 
 bool visible(const Tracer& tracer, const glm::dvec3& point, std::uint32_t triangle, const glm::dvec3& side,

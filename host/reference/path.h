@@ -36,19 +36,19 @@ void be_in(Path& path, const World& world, Media media);
 // the path goes straight on; else it is a specular surface.
 bool pass_straight(Path& path, const Hit& hit, const Tracer& tracer);
 
-// Sends the path on from `hit` on `surface`: mirror, Fresnel reflection or refraction by roulette with `random` in [0,
-// 1), or straight through a thin sheet. Directions bend with the shading normal; where the outcome is then on the wrong
-// side of the triangle, with the geometric one. Returns the probability of reflection.
-double scatter_specular(Path& path, const Hit& hit, const shared::Surface& surface, const Tracer& tracer,
-                        double random);
+// Whether the path meets the specular part of `surface`, by roulette with `random`. A mirror's face divides the light,
+// and with it the path's throughput; `certain`: the path takes the face's part in any case.
+bool meets_specular(Path& path, const Hit& hit, const shared::Surface& surface, double random, bool certain = false);
+
+// Sends the path on from `hit` on the specular part of `surface`: mirror, Fresnel reflection or refraction by roulette
+// with `random` in [0, 1), or straight through a thin sheet. Directions bend with the shading normal; where the outcome
+// is then on the wrong side of the triangle, with the geometric one. Rough surfaces bend them with a microfacet's,
+// picked by `facet` in the unit square; what is then on the wrong side is lost. Returns the probability of reflection.
+double scatter_specular(Path& path, const Hit& hit, const shared::Surface& surface, const Tracer& tracer, double random,
+                        const glm::dvec2& facet);
 
 // `sine` across the axis, turned by `turn` of a full circle, and `cosine` along it.
 glm::dvec3 around(const glm::dvec3& axis, double sine, double cosine, double turn);
-
-// Sends the path on from a diffuse surface, by the cosine to `normal`; `place`: uniform in the unit square. False where
-// that is not to the surface's `side`.
-bool scatter_diffusely(const Tracer& tracer, Path& path, const Hit& hit, const glm::dvec3& side,
-                       const glm::dvec3& normal, const glm::dvec2& place);
 
 // Beer-Lambert over `distance` metres.
 void absorb(Path& path, double distance);
@@ -62,6 +62,7 @@ struct LightSample {
   glm::dvec3 normal;       // of an area light
   double extent = 0;       // of an area light: root of its area over the probability of having chosen it, m
   glm::uvec4 media{0};     // that the light is inside of
+  double pdf = 0;          // of the direction, 1/sr; 0: no other has that light
 };
 
 // `weight`: 1 / probability of having chosen this light. `place`: uniform in the unit square, picks the point of an
@@ -72,6 +73,10 @@ LightSample sample_light(const World& world, std::uint32_t light, double weight,
 // of, in its third and fourth dimensions; else at random.
 LightSample sample_lights(const World& world, std::uint32_t first, const glm::dvec3& point,
                           const shared::RandomKey& key, bool stratified);
+
+// The density, per solid angle, with which sample_lights takes the direction of a point on a triangle, at `distance`
+// metres under `cosine` to the triangle's normal. 0: no light.
+double area_light_pdf(const World& world, std::uint32_t triangle, double distance, double cosine);
 
 // Whether nothing at all, specular surfaces included, stands between a point of `triangle`, seen from `side`, and the
 // light sample.

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "host/reference/emission.h"
+#include "host/reference/scattering.h"
+#include "shaders/shared/geometry.h"
 #include "shaders/shared/starts.h"
 
 namespace meniscal::reference {
@@ -143,7 +145,7 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
   };
 
   auto [path, hit, map, end] = start_photon(tracer, *beam, key, perturbation.start);
-  Photon photon{global ? shared::MAP_GLOBAL : map, hit.point, {}, path.throughput, path.throughput, end};
+  Photon photon{global ? shared::MAP_GLOBAL : map, hit.point, {}, glm::dvec3(0), path.throughput, path.throughput, end};
   std::uint32_t dimension = shared::DIM_FIRST_BOUNCE;
   std::uint32_t met = 0, scattered = 0;  // specular surfaces since the start or the last diffuse one; diffuse ones
   const auto go_on = [&] {
@@ -163,17 +165,21 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
       go_on();
       continue;
     }
-    const WorldTriangle& triangle = world.triangles[hit.triangle];
     const shared::Surface surface = shade(world, hit);
-    const bool specular = decide(dimension) < double(surface.specular);
+    // What is not reflected there first, direct light has.
+    const bool certain = first && map != shared::MAP_GLOBAL && settings.integrator != Integrator::ordinary;
+    const bool specular = meets_specular(path, hit, surface, decide(dimension), certain);
     const double choice = decide(dimension + 1);
+    const glm::dvec2 facet{decide(shared::DIM_FIRST_FACET + dimension),
+                           decide(shared::DIM_FIRST_FACET + dimension + 1)};
     dimension += shared::BOUNCE_DIMENSIONS;
     const std::uint32_t numbers = shared::DIM_FIRST_SCATTERING + shared::SCATTERING_DIMENSIONS * scattered;
     // Of the global map's photons: light that is direct, or that the other maps have.
     const bool theirs = global && scattered == 0 && (met == 0 || !set.keeps_caustics);
-    const double stops = theirs                         ? 0
-                         : scattered == set.scatterings ? 1
-                                                        : double(shared::storing_probability(surface.albedo));
+    const double stops = theirs ? 0
+                         : scattered == set.scatterings
+                             ? 1
+                             : double(shared::storing_probability(surface.albedo + surface.f0));
     // Direct light; or, of photons that set out for the global map, what beams towards the targets have.
     const bool counted_elsewhere = beams_have_it ? specular : first && map != shared::MAP_GLOBAL && !specular;
     if (counted_elsewhere || (theirs && !specular && set.scatterings == 0)) {
@@ -182,24 +188,25 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
     }
     if (specular) {
       if (met++ == settings.specular_bounces) break;
-      scatter_specular(path, hit, surface, tracer, choice);
+      scatter_specular(path, hit, surface, tracer, choice, facet);
     } else {
-      const glm::dvec3 side =
-          glm::dot(triangle.geometric, path.ray.direction) < 0 ? triangle.geometric : -triangle.geometric;
+      const DiffusePoint point(world, hit, surface, path.ray.direction);
       if (decide(numbers) < stops) {
         path.throughput /= stops;
         const Discs discs = pass_discs(set.discs, pass);
         const Reach reach = disc_reach(double(beam->reach), spread(path.by_light));
         photon.disc = make_footprint(
-            {{path.differential, discs.shrink * reach.start}, {path.by_light, discs.shrink * reach.light}}, side,
+            {{path.differential, discs.shrink * reach.start}, {path.by_light, discs.shrink * reach.light}}, point.side,
             discs.narrowest, discs.widest);
         photon.position = hit.point;
+        photon.arrival = shared::unpack_direction(shared::pack_direction(glm::vec3(path.ray.direction)));
         photon.end = hit.triangle;
         break;
       }
-      path.throughput *= glm::dvec3(surface.albedo) / (1 - stops);
-      scatter_diffusely(tracer, path, hit, side, side, {decide(numbers + 1), decide(numbers + 2)});
-      if (surface.albedo == glm::vec3(0)) {
+      path.throughput /= 1 - stops;
+      if (!scatter(tracer, path, point, point.side, Lobes::both, decide(numbers + 3),
+                   {decide(numbers + 1), decide(numbers + 2)})
+               .goes_on) {
         photon.end = shared::END_ABSORBED;
         break;
       }

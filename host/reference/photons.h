@@ -10,6 +10,7 @@ struct Photon {
   std::uint32_t map;         // shared::MAP_*
   glm::dvec3 position;       // where it ended
   Footprint disc;            // of a stored one; alpha x beta points to the side of arrival
+  glm::dvec3 arrival;        // the way it travelled there
   glm::dvec3 entered, flux;  // as it met its target, as it ended;
   std::uint32_t end;         // triangle it was stored on, or shared::END_*
 };

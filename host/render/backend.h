@@ -56,7 +56,7 @@ double mean_of(const Colour& c) {
 struct View {
   std::uint32_t sample = 0;                        // below settings.samples: their mean is the pass'
   std::uint32_t branch = shared::BRANCH_ROULETTE;  // of a split path: the light of all is added
-  bool bounced = false;  // gathers interreflection: goes on from the first diffuse surface to the next
+  bool bounced = false;  // goes on from the first diffuse surface to the next, whose light it gathers
 
   // The path whose depth, normal and so on are the pixel's.
   bool main() const { return !bounced && branch != shared::BRANCH_REFLECTED && branch != shared::BRANCH_LATER; }
@@ -71,23 +71,31 @@ inline std::vector<View> views_of(const RenderSettings& settings) {
                             : shared::BRANCH_THROUGH_ALL);
   if (settings.split > 0) add(shared::BRANCH_REFLECTED);
   if (settings.split > 1) add(shared::BRANCH_LATER);
-  for (std::uint32_t i = 0; settings.final_gathering && i < settings.samples; ++i)
+  for (std::uint32_t i = 0; (settings.final_gathering || settings.bounces_gloss) && i < settings.samples; ++i)
     views.push_back({settings.samples + i, shared::BRANCH_ROULETTE, true});
   return views;
 }
 // Which maps light that view's samples. What is gathered from has all light but the direct in the global map: a bounce
 // later a caustic needs no fine discs, which are dear to look up.
-inline bool shows_caustics(const View& view) { return !view.bounced; }
-inline bool shows_global(const RenderSettings& settings, const View& view) {
-  return settings.global.count() > 0 && view.bounced == settings.final_gathering;
+inline bool shows_caustics(const RenderSettings& settings, const View& view) {
+  return !view.bounced || !settings.final_gathering;
 }
+inline bool shows_global(const RenderSettings& settings, const View& view) {
+  return settings.global.count() > 0 && (view.bounced || !settings.final_gathering);
+}
+// Part of an outer face's lobe by which the global map is reflected: bounced paths have it where the camera looks.
+inline float global_lobe_part(const View& view) { return view.bounced ? 1 : 0; }
 // Whether samples that end on the triangle of the one before keep its maps' irradiances: but for round discs, all of a
 // pixel are gathered at its centre, so on one triangle at one place.
 inline bool keeps_irradiance(const RenderSettings& settings, const View& view) {
   return view.sample > 0 && !view.bounced && !settings.caustics.discs.round();
 }
-// Samples of the crop, row by row.
-using TakeSamples = std::function<void(const std::vector<shared::PixelSample>&, const View&)>;
+// Of the crop, row by row.
+struct Samples {
+  std::vector<shared::PixelSample> pixels;
+  std::vector<shared::PixelGloss> gloss;  // none where the scene has no outer face that reflects
+};
+using TakeSamples = std::function<void(const Samples&, const View&)>;
 
 // The end of a started photon.
 struct PhotonEnd {

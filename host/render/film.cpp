@@ -7,45 +7,67 @@
 namespace meniscal {
 namespace {
 
+using shared::PixelGloss;
 using shared::PixelSample;
+
+// A sample with its gloss; all zeros where nothing reflects beyond Lambert's law.
+struct Seen {
+  const PixelSample& pixel;
+  const PixelGloss& gloss;
+};
+Seen seen(const Samples& samples, std::size_t i) {
+  static const PixelGloss none{};
+  return {samples.pixels[i], samples.gloss.empty() ? none : samples.gloss[i]};
+}
+
+// Radiance by one map or the lights.
+using Part = glm::vec3 PixelSample::*;
+glm::dvec3 reflected(const Seen& s, Part irradiance, glm::vec3 PixelGloss::*beyond, double scale) {
+  return (glm::dvec3(s.pixel.weight) * glm::dvec3(s.pixel.*irradiance) + glm::dvec3(s.gloss.*beyond)) * scale;
+}
+glm::dvec3 direct(const Seen& s) { return reflected(s, &PixelSample::direct, &PixelGloss::direct, 1); }
+glm::dvec3 targeted(const Seen& s, double scale) {
+  return reflected(s, &PixelSample::targeted, &PixelGloss::targeted, scale);
+}
+glm::dvec3 caustic(const Seen& s, double scale) {
+  return reflected(s, &PixelSample::caustic, &PixelGloss::caustic, scale);
+}
+glm::dvec3 global(const Seen& s, double scale) {
+  return reflected(s, &PixelSample::global, &PixelGloss::global, scale);
+}
 
 // What a layer keeps of a sample: up to three numbers.
 struct Aov {
   std::string name;
   std::vector<std::string> channels;
-  std::function<glm::dvec3(const PixelSample&, const MapScale&)> value;
+  std::function<glm::dvec3(const Seen&, const MapScale&)> value;
   bool radiance = false;  // adds up over the paths that a pixel's path is split into; the others are of the main one
 };
 
 const std::vector<std::string> rgb{"R", "G", "B"}, xyz{"X", "Y", "Z"};
 
-glm::dvec3 weighted(const PixelSample& s, const glm::vec3& irradiance, double scale) {
-  return glm::dvec3(s.weight) * glm::dvec3(irradiance) * scale;
-}
-
 const std::vector<Aov>& all_aovs() {
   static const std::vector<Aov> aovs = {
-      {"direct", rgb, [](const PixelSample& s, const MapScale&) { return weighted(s, s.direct, 1); }, true},
-      {"targeted", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.targeted, m.targeted); },
-       true},
-      {"caustic", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.caustic, m.caustic); }, true},
-      {"global", rgb, [](const PixelSample& s, const MapScale& m) { return weighted(s, s.global, m.global); }, true},
+      {"direct", rgb, [](const Seen& s, const MapScale&) { return direct(s); }, true},
+      {"targeted", rgb, [](const Seen& s, const MapScale& m) { return targeted(s, m.targeted); }, true},
+      {"caustic", rgb, [](const Seen& s, const MapScale& m) { return caustic(s, m.caustic); }, true},
+      {"global", rgb, [](const Seen& s, const MapScale& m) { return global(s, m.global); }, true},
       {"irradiance", rgb,
-       [](const PixelSample& s, const MapScale& m) {
-         return glm::dvec3(s.direct) + glm::dvec3(s.targeted) * m.targeted + glm::dvec3(s.caustic) * m.caustic +
-                glm::dvec3(s.global) * m.global;
+       [](const Seen& s, const MapScale& m) {
+         return glm::dvec3(s.pixel.direct) + glm::dvec3(s.pixel.targeted) * m.targeted +
+                glm::dvec3(s.pixel.caustic) * m.caustic + glm::dvec3(s.pixel.global) * m.global;
        }},
-      {"albedo", rgb, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.albedo); }},
-      {"normal", xyz, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.normal); }},
-      {"depth", {"Z"}, [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.depth)); }},
-      {"position", xyz, [](const PixelSample& s, const MapScale&) { return glm::dvec3(s.position); }},
-      {"meniscus", {"Y"}, [](const PixelSample& s, const MapScale&) { return glm::dvec3(double(s.meniscus)); }},
+      {"albedo", rgb, [](const Seen& s, const MapScale&) { return glm::dvec3(s.pixel.albedo); }},
+      {"normal", xyz, [](const Seen& s, const MapScale&) { return glm::dvec3(s.pixel.normal); }},
+      {"depth", {"Z"}, [](const Seen& s, const MapScale&) { return glm::dvec3(double(s.pixel.depth)); }},
+      {"position", xyz, [](const Seen& s, const MapScale&) { return glm::dvec3(s.pixel.position); }},
+      {"meniscus", {"Y"}, [](const Seen& s, const MapScale&) { return glm::dvec3(double(s.pixel.meniscus)); }},
       {"density",
        {"Y"},
-       [](const PixelSample& s, const MapScale&) {
-         return glm::dvec3(double(s.targeted_count + s.caustic_count + s.global_count));
+       [](const Seen& s, const MapScale&) {
+         return glm::dvec3(double(s.pixel.targeted_count + s.pixel.caustic_count + s.pixel.global_count));
        }},
-      {"variance", rgb, [](const PixelSample&, const MapScale&) { return glm::dvec3(0); }},
+      {"variance", rgb, [](const Seen&, const MapScale&) { return glm::dvec3(0); }},
   };
   return aovs;
 }
@@ -73,48 +95,53 @@ Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScal
       aovs_.push_back({a.name, a.channels, std::vector<double>(crop.pixels() * a.channels.size())});
 }
 
-void Film::add(const std::vector<PixelSample>& samples, const View& view) {
+void Film::add(const Samples& samples, const View& view) {
   if (view.bounced) {
     add_bounced(samples);
     return;
   }
+  const std::size_t pixels = samples.pixels.size();
   if (view.main()) {
     ++pass_samples_;
-    for (std::size_t i = 0; i < samples.size(); ++i) pass_weight_[i] += glm::dvec3(samples[i].weight);
+    for (std::size_t i = 0; i < pixels; ++i) pass_weight_[i] += glm::dvec3(samples.pixels[i].weight);
   }
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const PixelSample& s = samples[i];
-    pass_[i] += glm::dvec3(s.emitted) + weighted(s, s.direct, 1) + weighted(s, s.targeted, scale_.targeted) +
-                weighted(s, s.caustic, scale_.caustic) + weighted(s, s.global, scale_.global);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const Seen s = seen(samples, i);
+    pass_[i] += glm::dvec3(s.pixel.emitted) + direct(s) + targeted(s, scale_.targeted) + caustic(s, scale_.caustic) +
+                global(s, scale_.global);
   }
   for (Sum& sum : aovs_) {
     const auto aov =
         std::find_if(all_aovs().begin(), all_aovs().end(), [&](const Aov& a) { return a.name == sum.name; });
     if (!view.main() && !aov->radiance) continue;
     const std::size_t channels = sum.channels.size();
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      glm::dvec3 value = aov->value(samples[i], scale_);
-      if (sum.name == "position" && samples[i].triangle < shared::END_FIRST) value += origin_;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      glm::dvec3 value = aov->value(seen(samples, i), scale_);
+      if (sum.name == "position" && samples.pixels[i].triangle < shared::END_FIRST) value += origin_;
       for (std::size_t c = 0; c < channels; ++c) sum.values[i * channels + c] += value[static_cast<int>(c)];
     }
   }
 }
 
-// Whatever a further diffuse surface is lit by, it is interreflection.
-void Film::add_bounced(const std::vector<PixelSample>& samples) {
-  std::vector<double>*global = nullptr, *irradiance = nullptr;
+// Whatever a further diffuse surface is lit by, it is interreflection; the light that the bounce itself met is direct.
+void Film::add_bounced(const Samples& samples) {
+  std::vector<double>*of_lights = nullptr, *of_global = nullptr, *irradiance = nullptr;
   for (Sum& sum : aovs_) {
-    if (sum.name == "global") global = &sum.values;
+    if (sum.name == "direct") of_lights = &sum.values;
+    if (sum.name == "global") of_global = &sum.values;
     if (sum.name == "irradiance") irradiance = &sum.values;
   }
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const PixelSample& s = samples[i];
-    const glm::dvec3 radiance = weighted(s, s.direct + s.targeted + s.caustic + s.global, scale_.global);
-    pass_[i] += radiance;
+  for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
+    const Seen s = seen(samples, i);
+    const double scale = scale_.global, scattered = samples.gloss.empty() ? 1 : double(s.gloss.scattered);
+    const glm::dvec3 radiance = (direct(s) + targeted(s, 1) + caustic(s, 1) + global(s, 1)) * scale;
+    pass_[i] += radiance + glm::dvec3(s.pixel.emitted);
     for (int c = 0; c < 3; ++c) {
       const std::size_t at = 3 * i + static_cast<std::size_t>(c);
-      if (global) (*global)[at] += radiance[c];
-      if (irradiance && pass_weight_[i][c] > 0) (*irradiance)[at] += radiance[c] / pass_weight_[i][c] * pass_samples_;
+      if (of_lights) (*of_lights)[at] += double(s.pixel.emitted[c]);
+      if (of_global) (*of_global)[at] += radiance[c];
+      if (irradiance && pass_weight_[i][c] > 0)
+        (*irradiance)[at] += scattered * radiance[c] / pass_weight_[i][c] * pass_samples_;
     }
   }
 }

@@ -25,7 +25,7 @@ class Film {
        const glm::dvec3& origin = glm::dvec3(0));
 
   // The samples of one view of a pass; after its last, end_pass.
-  void add(const std::vector<shared::PixelSample>& samples, const View& view = {});
+  void add(const Samples& samples, const View& view = {});
   void end_pass(std::uint32_t pass);
   std::uint32_t passes() const { return beauty_.passes(); }
 
@@ -49,7 +49,7 @@ class Film {
     std::vector<std::string> channels;
     std::vector<double> values;  // over all samples
   };
-  void add_bounced(const std::vector<shared::PixelSample>& samples);
+  void add_bounced(const Samples& samples);
 
   Crop crop_;
   MapScale scale_;

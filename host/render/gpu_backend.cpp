@@ -25,12 +25,12 @@ struct Map {
   std::uint32_t grids = 0;  // that the pass took so far
 
   Map(const gpu::Device& device, const passes::PhotonBuffers& p, std::uint32_t c,
-      const std::vector<passes::PixelTile>& tiles, bool g, bool texel)
+      const std::vector<passes::PixelTile>& tiles, bool g, bool glossy, bool texel)
       : global(g),
         capacity(c),
         photons(p),
         cells(device, photons, passes::entry_capacity(capacity), passes::most_cells(capacity), texel),
-        gather(device, photons, cells, tiles, global, texel) {}
+        gather(device, photons, cells, tiles, global, glossy, texel) {}
 };
 
 }  // namespace
@@ -59,14 +59,15 @@ struct GpuBackend::Passes {
         global_capacity(photon_capacity(settings.global, settings)),
         tables(device, world, passes::largest_table(std::max(capacity, global_capacity), settings.crop.pixels()),
                allow_texel),
-        tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
-        photons(device, capacity),
+        tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width(), world.glossy)),
+        photons(device, capacity, world.glossy),
         global_photons(global_capacity > 0
-                           ? std::optional<passes::PhotonBuffers>(std::in_place, device, global_capacity)
+                           ? std::optional<passes::PhotonBuffers>(std::in_place, device, global_capacity, world.glossy)
                            : std::nullopt),
         paths(device, world, tables, photons, global_photons ? &*global_photons : nullptr, tiles, settings) {
-    if (capacity > 0) caustics.emplace(device, photons, capacity, tiles, false, tables.texel);
-    if (global_photons) global.emplace(device, *global_photons, global_capacity, tiles, true, tables.texel);
+    if (capacity > 0) caustics.emplace(device, photons, capacity, tiles, false, world.glossy, tables.texel);
+    if (global_photons)
+      global.emplace(device, *global_photons, global_capacity, tiles, true, world.glossy, tables.texel);
     compile_seconds = set_up.seconds() - upload_seconds;
   }
 
@@ -77,14 +78,22 @@ struct GpuBackend::Passes {
     return sums;
   }
 
-  std::vector<shared::PixelSample> samples() const {
-    std::vector<shared::PixelSample> all;
+  // Of all tiles, of one of their buffers.
+  template <class T>
+  std::vector<T> download(gpu::Buffer passes::PixelTile::*buffer) const {
+    std::vector<T> all;
     for (const passes::PixelTile& tile : tiles) {
       const std::size_t left = settings.crop.pixels() - all.size();
-      const auto part = tile.samples.download<shared::PixelSample>(0, std::min<std::size_t>(tile.count, left));
+      const auto part = (tile.*buffer).template download<T>(0, std::min<std::size_t>(tile.count, left));
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;
+  }
+  std::vector<shared::PixelSample> pixels() const { return download<shared::PixelSample>(&passes::PixelTile::samples); }
+  Samples samples() const {
+    Samples samples{pixels(), {}};
+    if (world.glossy) samples.gloss = download<shared::PixelGloss>(&passes::PixelTile::gloss);
+    return samples;
   }
 
   const PhotonSet& set_of(const Map& map) const { return map.global ? settings.global : settings.caustics; }
@@ -104,10 +113,10 @@ struct GpuBackend::Passes {
 
   // Lights the samples by the photons of a pass. Where all of them fit into one grid, they are still there for further
   // views; else they are traced anew. Adds how they ended, the first time.
-  void light(Map& map, std::uint32_t pass, Tallies& tallies) {
+  void light(Map& map, std::uint32_t pass, float lobe_part, Tallies& tallies) {
     const PhotonSet& set = set_of(map);
     if (map.grids == 1) {
-      map.gather.run(commands, passes::make_grid(set.count(), pass_discs(set.discs, pass)));
+      map.gather.run(commands, passes::make_grid(set.count(), pass_discs(set.discs, pass)), lobe_part);
       return;
     }
     const bool anew = map.grids > 1;
@@ -115,7 +124,7 @@ struct GpuBackend::Passes {
     trace(map, pass, [&](std::uint32_t count, const passes::Grid& grid) {
       for (std::uint32_t first = 0; first < count; ++map.grids) {
         first += map.cells.build(commands, grid, first, count - first);
-        map.gather.run(commands, grid);
+        map.gather.run(commands, grid, lobe_part);
       }
       if (!anew) tally(map, tallies, count);
     });
@@ -158,8 +167,8 @@ Tallies GpuBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
     if (*map) (*map)->grids = 0;
   for (const View& view : views_of(p.settings)) {
     p.paths.trace_camera(p.commands, p.settings, pass, view);
-    if (p.caustics && shows_caustics(view)) p.light(*p.caustics, pass, tallies);
-    if (p.global && shows_global(p.settings, view)) p.light(*p.global, pass, tallies);
+    if (p.caustics && shows_caustics(p.settings, view)) p.light(*p.caustics, pass, 1, tallies);
+    if (p.global && shows_global(p.settings, view)) p.light(*p.global, pass, global_lobe_part(view), tallies);
     take(p.samples(), view);
   }
   p.tables.collect_counters();
@@ -179,7 +188,7 @@ std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
 
 std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass, const View& view) {
   passes_->paths.trace_camera(passes_->commands, passes_->settings, pass, view);
-  return passes_->samples();
+  return passes_->pixels();
 }
 
 void GpuBackend::configure(const RenderSettings& settings) { passes_->settings = settings; }

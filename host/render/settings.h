@@ -70,6 +70,8 @@ struct RenderSettings {
   // Interreflection: shown as the global map has it, or gathered by a diffuse bounce of as many more camera paths from
   // all maps and the lights.
   bool final_gathering = false;
+  // The lobes of rough outer faces are followed by as many more camera paths, too, where they reflect the scene.
+  bool bounces_gloss = false;
   std::uint32_t photons_at_once =
       1u << 20;               // on the device: a pass of more takes them in turns, so that memory is bounded
   std::uint32_t samples = 1;  // camera paths a pixel and pass

@@ -11,6 +11,7 @@
 #include "host/world/media.h"
 #include "host/world/menisci.h"
 #include "host/world/surfaces.h"
+#include "shaders/shared/material.h"
 #include "shaders/shared/random.h"
 
 namespace meniscal {
@@ -121,10 +122,6 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
       world.warnings.push_back(
           fmt::format("{}: material \"{}\": liquids are smooth here; its roughness {:.3g} is taken as 0", scene.file,
                       m.name, m.roughness));
-    else if (m.transmission > 0 || m.target)
-      world.warnings.push_back(
-          fmt::format("{}: material \"{}\": roughness {:.3g} makes it diffuse and opaque; below {} it is specular",
-                      scene.file, m.name, m.roughness, specular_roughness));
   }
   for (std::size_t i = 0; i < materials; ++i)
     if (on_closed[i] && on_open[i] && world.surfaces[i].kind == shared::SPECULAR_THIN)
@@ -176,6 +173,9 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
   world.lights = make_lights(scene, world.triangles, world.surfaces, world.radius);
   world.area_lights = std::any_of(world.lights.begin(), world.lights.end(),
                                   [](const shared::Light& l) { return l.type == shared::LIGHT_AREA; });
+  for (std::uint32_t i = 0; i < world.lights.size(); ++i)
+    if (world.lights[i].type == shared::LIGHT_AREA) world.triangles[world.lights[i].triangle].light = i + 1;
+  world.glossy = std::any_of(world.surfaces.begin(), world.surfaces.end(), shared::is_glossy);
   find_media(world);
   build_strata(world);
   return world;

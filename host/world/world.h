@@ -24,6 +24,7 @@ struct WorldTriangle {
   std::uint32_t material;            // index into surfaces
   bool meniscus;                     // of a meniscus, or of a material with `meniscus_target`
   bool within;                       // of a liquid, inside a transparent solid
+  std::uint32_t light = 0;           // index + 1 into lights; 0: emits nothing
 };
 
 // A rectangle, corner and edges, across a distant light; see light_view.h.
@@ -62,6 +63,7 @@ struct World {
   std::vector<shared::Surface> surfaces;  // by material
   std::vector<shared::Light> lights;
   bool area_lights = false;                     // some of them are
+  bool glossy = false;                          // an outer face above a diffuse surface reflects
   std::vector<Stratum> strata;                  // those that have triangles
   std::vector<std::uint32_t> targets;           // triangles, by stratum
   std::vector<std::optional<LightView>> views;  // by light: photons of those that have one start there

@@ -18,5 +18,7 @@
 #define BIND_SAMPLES 9
 #define BIND_BEAMS 10  // texels: Beam[]
 #define BIND_VIEW 11   // texels: one CameraView
+#define BIND_ARRIVALS 12  // uint[], see pack_direction
+#define BIND_GLOSS 13     // PixelGloss[]
 
 #endif

@@ -66,6 +66,19 @@ SHARED uint cell_key(ivec3 cell, uint level, uint mask) {
   return level * (mask + 1u) + ((h ^ (h >> 13u)) & mask);
 }
 
+// A unit vector on the octahedron, 16 bits a coordinate: to 5e-5.
+SHARED uint pack_direction(vec3 d) {
+  vec2 p = vec2(d.x, d.y) / (abs(d.x) + abs(d.y) + abs(d.z));
+  vec2 folded = vec2((1.0f - abs(p.y)) * (p.x < 0.0f ? -1.0f : 1.0f), (1.0f - abs(p.x)) * (p.y < 0.0f ? -1.0f : 1.0f));
+  vec2 q = (d.z < 0.0f ? folded : p) * 32767.0f + 32767.5f;
+  return uint(q.x) | uint(q.y) << 16u;
+}
+SHARED vec3 unpack_direction(uint bits) {
+  vec2 q = (vec2(float(bits & 0xFFFFu), float(bits >> 16u)) - 32767.0f) / 32767.0f;
+  float z = 1.0f - abs(q.x) - abs(q.y), fold = max(-z, 0.0f);
+  return normalize(vec3(q.x + (q.x < 0.0f ? fold : -fold), q.y + (q.y < 0.0f ? fold : -fold), z));
+}
+
 // Density kernel over the unit disc, q2 = squared distance in units of the radius, in [0, 1]: 3/pi (1 - q2)^2,
 // integrates to 1.
 SHARED float disc_kernel(float q2) {

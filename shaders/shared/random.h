@@ -10,8 +10,10 @@ SHARED_BEGIN
 // FIRST_BOUNCE on.
 const uint DIM_LIGHT = 2u, DIM_LIGHT_U = 3u, DIM_LIGHT_V = 4u, DIM_LIGHT_SIDE = 5u, DIM_FIRST_BOUNCE = 8u;
 const uint BOUNCE_DIMENSIONS = 2u;  // 0: specular or diffuse, 1: reflect or refract
-// At diffuse surfaces: 0: store or scatter, 1 and 2: direction.
-const uint DIM_FIRST_SCATTERING = 0x10000u, SCATTERING_DIMENSIONS = 3u;
+// At diffuse surfaces: 0: store or scatter, 1 and 2: direction, 3: by which lobe.
+const uint DIM_FIRST_SCATTERING = 0x10000u, SCATTERING_DIMENSIONS = 4u;
+// At rough specular ones, beside those of the bounce: 0 and 1: microfacet.
+const uint DIM_FIRST_FACET = 0x20000u;
 // What the numbers are drawn for: keeps photons of each beam and camera paths apart.
 const uint STREAM_BEAM = 1u;             // of the i-th beam: STREAM_BEAM + i
 const uint STREAM_GLOBAL = 0x40000000u;  // the same for the global map

@@ -11,8 +11,9 @@ const uint SPECULAR_NONE = 0u, SPECULAR_MIRROR = 1u, SPECULAR_DIELECTRIC = 2u, S
 
 struct Surface {
   vec3 albedo;        // of the diffuse part
-  float specular;     // probability that a path meets the specular part: 0 diffuse, 1 smooth glass, water or metal
-  vec3 tint;          // factor on what the specular part passes on (transmitted; reflected by a mirror)
+  float specular;     // probability that a path meets the specular part: 0 diffuse, 1 glass, water or metal; mirrors with
+                      // an albedo: see mirror_probability
+  vec3 tint;          // factor on what the specular part transmits
   float ior;          // inside (behind the geometric normal) against outside
   vec3 absorption;    // 1/m, inside
   uint kind;          // SPECULAR_*
@@ -134,6 +135,27 @@ struct PixelSample {
   float global_count;
 };
 
+// The same of a visible point whose outer face reflects: radiance that reaches the camera from the lights and the maps
+// beyond that of PixelSample, which is Lambert's; and what it hangs on.
+struct PixelGloss {
+  vec3 normal;  // shading, towards the viewer
+  float alpha;  // of GGX; 0: smooth
+  vec3 outgoing;
+  float f90;
+  vec3 f0;
+  float scattered;  // of bounced paths: irradiance of the first diffuse surface that they stand for per Lambert's
+  vec3 throughput;
+  uint reflects;  // 1: the rest counts
+  vec3 direct;
+  float pad0;
+  vec3 targeted;
+  float pad1;
+  vec3 caustic;
+  float pad2;
+  vec3 global;
+  float pad3;
+};
+
 const uint PATHS_PHOTON = 0u, PATHS_CAMERA = 1u;
 
 struct PathPush {
@@ -143,6 +165,8 @@ struct PathPush {
   uint light_count, light_first;  // of the scene; where their CDF begins
   uint sample_index, branch;      // of camera paths: which of a pixel's in the pass; BRANCH_*
   uint keeps;                     // samples that end on the triangle of the one before keep its maps' irradiances
+  uint bounced;                   // of camera paths: they go on from the first diffuse surface to the next
+  uint gloss_only, bounces_gloss;  // by an outer face's lobe alone; such paths there are
   // Of photons.
   uint beams, stream;       // stream: of random numbers, of the first beam
   uint scatterings;         // of the global map: diffuse ones at the most; 0: of the other maps, that end at the first
@@ -178,6 +202,7 @@ struct GatherPush {
   uint pixels, width;    // in the buffer; of a row
   uint first_candidate;  // candidates (photons entered in the pixel's cells) tested by earlier rounds
   uint first, count;     // of this dispatch's invocations
+  float lobe_part;       // of outer faces' lobes, by which the map is reflected: 0 to 1
 };
 
 // Steps of the hash grid's making; shaders/cells.comp says what each does.

@@ -78,7 +78,7 @@ Listing build(const std::vector<shared::PhotonDisc>& discs, std::uint32_t mask, 
               std::vector<std::uint32_t>* parts = nullptr) {
   const auto count = static_cast<std::uint32_t>(discs.size());
   const gpu::Device device = gpu::Device::open("auto", true);
-  passes::PhotonBuffers photons(device, count);
+  passes::PhotonBuffers photons(device, count, false);
   photons.discs.upload(discs);
   const passes::Grid grid = make_grid(mask);
   passes::CellsPass cells(device, photons, capacity, grid.cells(), texel);

@@ -11,29 +11,33 @@ std::vector<shared::PixelSample> samples_of(Backend& backend, std::uint32_t pass
   return test::render_pass(backend, pass).samples;
 }
 
-glm::dvec3 radiance(const shared::PixelSample& s) {
-  return glm::dvec3(s.emitted) + glm::dvec3(s.weight) * (glm::dvec3(s.direct) + glm::dvec3(s.targeted) +
-                                                         glm::dvec3(s.caustic) + glm::dvec3(s.global));
+glm::dvec3 radiance(const test::PassResult& result, std::size_t i) {
+  const shared::PixelSample& s = result.samples[i];
+  const shared::PixelGloss g = result.gloss.empty() ? shared::PixelGloss{} : result.gloss[i];
+  return glm::dvec3(s.emitted) + glm::dvec3(s.weight) * glm::dvec3(s.direct + s.targeted + s.caustic + s.global) +
+         glm::dvec3(g.direct + g.targeted + g.caustic + g.global);
 }
 
 // The samples of a pass, but for a thousandth whose paths hang on rounding.
 void expect_alike(const test::Setup& setup) {
   GpuBackend gpu(gpu::Device::open("auto", true), setup.world, setup.settings);
   reference::ReferenceBackend cpu(setup.world, setup.settings);
-  const auto a = samples_of(gpu, 2), b = samples_of(cpu, 2);
-  ASSERT_EQ(a.size(), b.size());
+  const test::PassResult a = test::render_pass(gpu, 2), b = test::render_pass(cpu, 2);
+  const std::size_t count = a.samples.size();
+  ASSERT_EQ(count, b.samples.size());
+  ASSERT_EQ(a.gloss.size(), b.gloss.size());
   std::size_t flipped = 0;
   double difference = 0, square = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].triangle != b[i].triangle) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (a.samples[i].triangle != b.samples[i].triangle) {
       ++flipped;
       continue;
     }
-    const glm::dvec3 d = radiance(a[i]) - radiance(b[i]), r = radiance(b[i]);
+    const glm::dvec3 d = radiance(a, i) - radiance(b, i), r = radiance(b, i);
     difference += glm::dot(d, d);
     square += glm::dot(r, r);
   }
-  EXPECT_LE(flipped, a.size() / 1000);
+  EXPECT_LE(flipped, count / 1000);
   EXPECT_GT(square, 0);
   EXPECT_LT(std::sqrt(difference / square), 1e-3);
 }
@@ -48,17 +52,21 @@ TEST_P(ImageAgreement, GpuAndReferenceGiveTheSamePicture) {
   expect_alike(*setup);
 }
 
-// Interreflection too, as the global map has it and gathered from it.
-TEST(Interreflection, OfGpuAndReferenceIsTheSame) {
+// Interreflection too, as the global map has it and gathered from it, and by outer faces of every kind.
+class Interreflection : public testing::TestWithParam<const char*> {};
+
+TEST_P(Interreflection, OfGpuAndReferenceIsTheSame) {
   REQUIRE_DEVICE();
   for (const Quality quality : {Quality::draft, Quality::final}) {
     RenderOptions options = test::small_options(40000, 80, 60);
     options.diffuse_bounces = 3;
     options.quality = quality;
-    const auto setup = test::make_setup("tank", options);
+    const auto setup = test::make_setup(GetParam(), options);
     expect_alike(*setup);
   }
 }
+INSTANTIATE_TEST_SUITE_P(Scenes, Interreflection, testing::Values("tank", "materials"),
+                         [](const auto& tested) { return std::string(tested.param); });
 
 TEST_P(ImageAgreement, SameCommandSameBits) {
   REQUIRE_DEVICE();

@@ -48,17 +48,23 @@ TEST_P(Furnace, IsBlack) {
 INSTANTIATE_TEST_SUITE_P(Qualities, Furnace, testing::Values(Quality::draft, Quality::final),
                          [](const auto& tested) { return tested.param == Quality::draft ? "draft" : "final"; });
 
-// Water, menisci and white walls: every kind of path carries light. By photons from the targets, by photons from the
-// lights alone, and by no photons at all: one answer.
-TEST(OneAnswer, OfPhotonsAndPaths) {
+// Water, menisci and white walls; metals, plastics and frosted glass: every kind of path carries light. By photons from
+// the targets, by photons from the lights alone, and by no photons at all: one answer.
+struct Answer {
+  const char* scene;
+  std::uint32_t diffuse_bounces;  // lobes that are followed go one further: there, enough that it counts for nothing
+};
+class OneAnswer : public testing::TestWithParam<Answer> {};
+
+TEST_P(OneAnswer, OfPhotonsAndPaths) {
   REQUIRE_DEVICE();
   RenderOptions options = test::small_options(200000, 48, 36);
-  options.diffuse_bounces = 2;
+  options.diffuse_bounces = GetParam().diffuse_bounces;
   const auto radiance_by = [&](Integrator integrator, Quality quality, std::uint32_t samples, std::uint32_t passes) {
     options.integrator = integrator;
     options.quality = quality;
     options.samples = samples;
-    const auto setup = test::make_setup("tank", options);
+    const auto setup = test::make_setup(GetParam().scene, options);
     if (integrator == Integrator::path) {
       reference::ReferenceBackend cpu(setup->world, setup->settings);
       return mean_radiance(cpu, setup->settings, passes);
@@ -75,6 +81,9 @@ TEST(OneAnswer, OfPhotonsAndPaths) {
   EXPECT_NEAR(shown, path, 0.03 * path);
   EXPECT_NEAR(ordinary, path, 0.02 * path);
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, OneAnswer, testing::Values(Answer{"tank", 2}, Answer{"materials", 8}),
+                         [](const auto& tested) { return std::string(tested.param.scene); });
 
 }  // namespace
 }  // namespace meniscal

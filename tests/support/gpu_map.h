@@ -14,11 +14,11 @@ struct GpuMap {
         grid(passes::make_grid(count, settings.caustics.discs)),
         commands(device),
         tables(device, world, passes::largest_table(count, settings.crop.pixels()), true),
-        tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width())),
-        photons(device, count),
+        tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width(), world.glossy)),
+        photons(device, count, world.glossy),
         paths(device, world, tables, photons, nullptr, tiles, settings),
         cells(device, photons, passes::entry_capacity(count), grid.cells(), tables.texel),
-        gather(device, photons, cells, tiles, false, tables.texel) {}
+        gather(device, photons, cells, tiles, false, world.glossy, tables.texel) {}
 
   // The photons, and the pixels, to which gathering adds.
   void prepare() {

@@ -44,12 +44,14 @@ inline RenderOptions small_options(std::uint32_t photons, int width = 64, int he
 // The samples of all views, one after the other.
 struct PassResult {
   std::vector<shared::PixelSample> samples;
+  std::vector<shared::PixelGloss> gloss;  // none where no outer face reflects
   Tallies tallies;
 };
 inline PassResult render_pass(Backend& backend, std::uint32_t pass) {
   PassResult result;
-  result.tallies = backend.render_pass(pass, [&](const std::vector<shared::PixelSample>& samples, const View&) {
-    result.samples.insert(result.samples.end(), samples.begin(), samples.end());
+  result.tallies = backend.render_pass(pass, [&](const Samples& samples, const View&) {
+    result.samples.insert(result.samples.end(), samples.pixels.begin(), samples.pixels.end());
+    result.gloss.insert(result.gloss.end(), samples.gloss.begin(), samples.gloss.end());
   });
   return result;
 }

@@ -31,10 +31,10 @@ class Scene:
         self._extensions = set()
         self._gltf = {"nodes": [], "materials": [], "meshes": [], "accessors": [], "bufferViews": []}
 
-    def material(self, name, color=(1, 1, 1), roughness=1, extensions=None, emissive=None, **extras):
+    def material(self, name, color=(1, 1, 1), roughness=1, metallic=0, extensions=None, emissive=None, **extras):
         """Returns the material's index. `extensions`: name -> values, `emissive`: radiance; `extras` as in interface.md."""
         material = {"name": name, "pbrMetallicRoughness": {
-            "baseColorFactor": [*color, 1], "metallicFactor": 0, "roughnessFactor": roughness}}
+            "baseColorFactor": [*color, 1], "metallicFactor": metallic, "roughnessFactor": roughness}}
         extensions = dict(extensions or {})
         if emissive is not None:
             material["emissiveFactor"] = [1, 1, 1]

@@ -145,6 +145,25 @@ def tank():
     return scene
 
 
+def materials():
+    """Five balls in a closed box under a lamp: brushed gold, satin plastic, lacquer, polished copper and frosted glass."""
+    scene = Scene()
+    room = ((-80 * MM, 0, -60 * MM), (80 * MM, 90 * MM, 60 * MM), (-1, -1, -1, -1, -1, -1))
+    outside = ((-82 * MM, -2 * MM, -62 * MM), (82 * MM, 92 * MM, 62 * MM), (1, 1, 1, 1, 1, 1))
+    scene.mesh("room", boxes([room, outside]), matte(scene, "wall", (0.6, 0.57, 0.55)))
+    frosted = {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_volume": {"thicknessFactor": 1 * MM}}
+    for name, x, z, color, values in (
+            ("gold", -42 * MM, -8 * MM, (0.95, 0.7, 0.3), {"roughness": 0.35, "metallic": 1}),
+            ("plastic", -14 * MM, -18 * MM, (0.6, 0.08, 0.06), {"roughness": 0.3}),
+            ("lacquer", 14 * MM, -18 * MM, (0.05, 0.2, 0.45), {"roughness": 0}),
+            ("copper", 42 * MM, -8 * MM, (0.9, 0.55, 0.4), {"roughness": 0, "metallic": 1}),
+            ("frosted", 0, 18 * MM, (1, 1, 1), {"roughness": 0.35, "extensions": frosted})):
+        scene.mesh(name, sphere(13 * MM, (x, 13 * MM, z), 96, 49), scene.material(name, color, **values))
+    scene.mesh("lamp", square(22 * MM, 89 * MM, facing=-1), matte(scene, "lamp", 0, emissive=6))
+    scene.camera((0, 48 * MM, 58 * MM), (0, 12 * MM, -6 * MM), yfov=60, aspect=4 / 3)
+    return scene
+
+
 def shadow_sausage():
     """The paper's figure 2: a tilted rod in a dish of water under the sun; its shadow is broken at the water line."""
     depth, from_vertical = 45 * MM, math.radians(25)
@@ -185,7 +204,8 @@ def beaker():
     return scene
 
 
-SCENES = {"area_light": area_light, "beaker": beaker, "behind_glass": behind_glass, "box": box_scene, "flat_water": flat_water, "point_light": point_light, "post": post,
+SCENES = {"area_light": area_light, "beaker": beaker, "behind_glass": behind_glass, "box": box_scene, "flat_water": flat_water,
+          "materials": materials, "point_light": point_light, "post": post,
           "post_stub": post_stub, "shadow_sausage": shadow_sausage, "sphere": sphere_scene, "spot_light": spot_light, "tank": tank,
           "three_lights": three_lights, "two_posts": two_posts}
 
