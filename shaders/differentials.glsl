@@ -12,12 +12,11 @@ Differential start_differential(vec3 facet, vec3 direction, float distance) {
   return Differential(u, v, (u - direction * dot(direction, u)) / distance, (v - direction * dot(direction, v)) / distance);
 }
 
-// While the start stays, and the point on an area light at `distance` moves along two perpendicular directions in its facet, per
-// `extent` metres.
-Differential light_differential(vec3 light_normal, float extent, vec3 direction, float distance) {
+// While the start stays, and the point on an extended light moves along two perpendicular directions in its facet, per `extent`: the
+// part of its distance, rad.
+Differential light_differential(vec3 light_normal, float extent, vec3 direction) {
   vec3 u = tangent(light_normal), v = cross(light_normal, u);
-  float part = extent / distance;
-  return Differential(vec3(0.0), vec3(0.0), part * (direction * dot(direction, u) - u), part * (direction * dot(direction, v) - v));
+  return Differential(vec3(0.0), vec3(0.0), extent * (direction * dot(direction, u) - u), extent * (direction * dot(direction, v) - v));
 }
 
 // Of a camera ray along `direction`, per pixel: `step0` and `step1` are a pixel's sides on the image plane, `distance` from the eye.
@@ -63,7 +62,7 @@ void make_disc(Differential d, float reach, Differential by_light, float light_r
   // Sigma = J J^T, a symmetric matrix; its eigenvalues are the squared half-widths.
   float a = p.x * p.x + q.x * q.x, b = p.x * p.y + q.x * q.y, c = p.y * p.y + q.y * q.y;
   float area = abs(twice_area(p, q));  // root of the determinant
-  if (HAS_AREA && light_reach > 0.0) {
+  if (HAS_EXTENDED && light_reach > 0.0) {
     vec2 r = light_reach * vec2(dot(by_light.place0, u), dot(by_light.place0, v));
     vec2 s = light_reach * vec2(dot(by_light.place1, u), dot(by_light.place1, v));
     a += r.x * r.x + s.x * s.x;

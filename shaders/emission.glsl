@@ -8,14 +8,18 @@ struct Emission {
   uvec4 media;    // that the light is inside of
 };
 
-// From one of the lights, by power. `place`, uniform in the square: where on the disc across a distant light, or where to from others.
+// From one of the lights, by power. `place`, uniform in the square: where on the disc across a distant light's direction, or where to from
+// others.
 Emission emit(vec2 place, uint light_first, uint light_count, RandomKey key) {
   float rest, weight;
   Light light = fetch_light(pick(light_first, light_count, random_bits(key, DIM_LIGHT), rest, weight));
+  bool distant = light.type == LIGHT_DIRECTIONAL || HAS_ENVIRONMENT && light.type == LIGHT_ENVIRONMENT;
   Emission e = Emission(light.position, light.direction, light.intensity * weight, NO_TRIANGLE, light.media);
-  if (light.type == LIGHT_DIRECTIONAL) {
-    e.origin = SCENE_RADIUS * around(light.direction, sqrt(place.x), -1.01, place.y);
-    e.flux *= 3.141592653589793 * SCENE_RADIUS * SCENE_RADIUS;
+  if (distant) {
+    DistantSample s = sample_distant(light, vec2(random_unit(key, DIM_LIGHT_U), random_unit(key, DIM_LIGHT_V)));
+    e.direction = -s.direction;
+    e.origin = SCENE_RADIUS * around(e.direction, sqrt(place.x), -1.01, place.y);
+    e.flux = s.irradiance * (weight * 3.141592653589793 * SCENE_RADIUS * SCENE_RADIUS);
   } else if (light.type == LIGHT_AREA) {
     float root = sqrt(random_unit(key, DIM_LIGHT_U)), v = random_unit(key, DIM_LIGHT_V) * root;
     bool back = light.double_sided != 0u && random_unit(key, DIM_LIGHT_SIDE) < 0.5;

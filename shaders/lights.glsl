@@ -1,23 +1,20 @@
 // Sampling the lights from a point.
-#include "optics.glsl"
+#include "sky.glsl"
 
 struct LightSample {
   vec3 direction;      // from the point towards the light
   float distance;      // to the light sample; directional: beyond the scene
   vec3 irradiance;     // on a surface facing the light, over the probability (density) of this sample; 0: not emitted this way
   uint triangle;       // of an area light, else NO_TRIANGLE
-  vec3 normal;         // of an area light
-  float extent;        // of an area light: root of its area over the probability of having chosen it, m; else 0
+  vec3 normal;         // of an extended light: of its facet, or along its direction
+  float extent;        // of an extended light: root of its solid angle over the probability (density) of this sample, rad; else 0
   uvec4 media;         // that the light is inside of
-  float pdf;           // of the direction, 1/sr; 0: no other has that light
 };
 
-const float FAR = 1e30;
-
-// `weight`: 1 / probability of having chosen this light. `place`, uniform in the unit square: picks the point of an area light.
+// `weight`: 1 / probability of having chosen this light. `place`, uniform in the unit square: picks the point of an extended light.
 LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
   Light light = fetch_light(index);
-  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0, light.media, 0.0);
+  LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0, light.media);
   if (HAS_AREA && light.type == LIGHT_AREA) {
     float root = sqrt(place.x), v = place.y * root;
     vec3 on_light = light.position + (1.0 - root) * light.edge1 + v * light.edge2;
@@ -26,11 +23,10 @@ LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
     s.direction = towards / s.distance;
     float cosine = -dot(s.direction, light.direction);
     if (light.double_sided != 0u) cosine = abs(cosine);
-    s.pdf = s.distance * s.distance / (max(abs(cosine), 1e-20) * light.area * weight);
     s.irradiance *= max(cosine, 0.0) * light.area / (s.distance * s.distance);
     s.triangle = light.triangle;
-    s.extent = sqrt(light.area * weight);
-  } else if (HAS_LOCAL && light.type != LIGHT_DIRECTIONAL) {
+    s.extent = sqrt(light.area * weight) / s.distance;
+  } else if (HAS_LOCAL && (light.type == LIGHT_POINT || light.type == LIGHT_SPOT)) {
     vec3 towards = light.position - point;
     s.distance = length(towards);
     s.direction = towards / s.distance;
@@ -43,6 +39,12 @@ LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
       float falloff = clamp((light.cone_versine - versine) * light.cone_scale, 0.0, 1.0);
       s.irradiance *= falloff * falloff;
     }
+  } else if (HAS_SUNS || HAS_ENVIRONMENT) {
+    DistantSample distant = sample_distant(light, place);
+    s.direction = distant.direction;
+    s.irradiance = distant.irradiance * weight;
+    s.normal = -s.direction;
+    s.extent = min(sqrt(distant.solid_angle * weight), MOST_EXTENT);
   }
   return s;
 }
@@ -51,11 +53,11 @@ LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
 // and fourth dimensions; else at random.
 LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key, bool stratified) {
   uvec2 bits = uvec2(random_bits(key, DIM_LIGHT), 0u);
-  if (HAS_AREA && stratified) bits = sobol_point_beyond(key);
+  if (HAS_EXTENDED && stratified) bits = sobol_point_beyond(key);
   float rest, weight;
   uint index = pick(first, count, bits.x, rest, weight);
   vec2 place = vec2(rest, unit_float(bits.y));
-  if (HAS_AREA && !stratified) place = vec2(random_unit(key, DIM_LIGHT_U), random_unit(key, DIM_LIGHT_V));
+  if (HAS_EXTENDED && !stratified) place = vec2(random_unit(key, DIM_LIGHT_U), random_unit(key, DIM_LIGHT_V));
   return sample_light(index, weight, point, place);
 }
 
@@ -70,4 +72,10 @@ float area_light_pdf(uint triangle, float distance, float cosine) {
   if (light == 0u) return 0.0;
   Light l = fetch_light(light - 1u);
   return l.probability * distance * distance / (l.area * cosine);
+}
+
+// The same of a light sample. 0: a point or a direction, which no path meets by chance.
+float asked_pdf(LightSample s) {
+  if (s.extent == 0.0) return 0.0;
+  return s.triangle == NO_TRIANGLE ? sky(s.direction).pdf : area_light_pdf(s.triangle, s.distance, abs(dot(s.normal, s.direction)));
 }

@@ -21,7 +21,7 @@ struct Path {
   uvec4 media;           // dielectrics that it is inside of, where some lie in each other
   float radiance_scale;  // product of (n_beyond / n_arrival)^-2: for camera paths, not for photons
   Differential differential;  // by where it starts
-  Differential by_light;      // by the point on an area light
+  Differential by_light;      // by the point on an extended light
 };
 
 Path start_path(vec3 origin, vec3 direction, uint triangle, vec3 throughput) {
@@ -110,7 +110,7 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Cro
   if (reflected) {
     path.direction = arrival - 2.0 * dot(arrival, normal) * normal;
     if (HAS_DIFFERENTIALS) reflect_differential(path.differential, point, turned, arrival, normal);
-    if (HAS_DIFFERENTIALS && HAS_AREA) reflect_differential(path.by_light, point, turned, arrival, normal);
+    if (HAS_DIFFERENTIALS && HAS_EXTENDED) reflect_differential(path.by_light, point, turned, arrival, normal);
   } else {
     path.throughput *= surface.tint;
     if (HAS_DIELECTRIC && surface.kind == SPECULAR_DIELECTRIC) {
@@ -118,7 +118,7 @@ float scatter_specular(inout Path path, SurfacePoint point, Surface surface, Cro
       path.radiance_scale *= eta * eta;
       path.absorption = front ? surface.absorption : vec3(0.0);
       if (HAS_DIFFERENTIALS) refract_differential(path.differential, point, turned, arrival, normal, eta, transmitted);
-      if (HAS_DIFFERENTIALS && HAS_AREA) refract_differential(path.by_light, point, turned, arrival, normal, eta, transmitted);
+      if (HAS_DIFFERENTIALS && HAS_EXTENDED) refract_differential(path.by_light, point, turned, arrival, normal, eta, transmitted);
     } else if (rough) {
       // A rough sheet lets light through as it reflects it, to the other side.
       path.direction = reflect(reflect(arrival, normal), mean);

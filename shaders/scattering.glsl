@@ -1,12 +1,6 @@
 // What both kinds of path do at diffuse surfaces: go on, by Lambert's law or by the lobe of a rough outer face.
 #include "lights.glsl"
 
-vec3 around(vec3 axis, float sine, float cosine, float turn) {
-  vec3 u = tangent(axis), v = cross(axis, u);
-  float angle = 6.283185307179586 * turn;
-  return cosine * axis + sine * (cos(angle) * u + sin(angle) * v);
-}
-
 Face make_face(Surface surface, SurfacePoint point, vec3 side, vec3 outgoing) {
   vec3 shading = dot(point.geometric, side) < 0.0 ? -point.shading : point.shading;
   return Face(dot(shading, outgoing) > 0.0 ? shading : side, outgoing, surface.alpha, surface.f0, surface.f90);

@@ -140,6 +140,23 @@ Image read_windows(const Imf::Header& header) {
   return image;
 }
 
+Image decode(Imf::InputFile& file) {
+  Image image = read_windows(file.header());
+  image.layers = list_layers(file.header().channels());
+  if (image.layers.empty()) throw std::runtime_error("it has no channel at full resolution");
+  read_attributes(file.header(), image);
+  Imf::FrameBuffer frame;
+  const Imath::Box2i window = file.header().dataWindow();
+  for (Layer& layer : image.layers) {
+    layer.pixels.resize(image.pixel_count() * layer.channels.size());
+    for (std::size_t c = 0; c < layer.channels.size(); ++c)
+      frame.insert(channel_name(layer, layer.channels[c]), slice(layer, c, window));
+  }
+  file.setFrameBuffer(frame);
+  file.readPixels(window.min.y, window.max.y);
+  return image;
+}
+
 }  // namespace
 
 void write_exr(const std::string& path, const Image& image) {
@@ -157,25 +174,19 @@ void write_exr(const std::string& path, const Image& image) {
 Image read_exr(const std::string& path) {
   try {
     Imf::InputFile file(path.c_str());
-    Image image = read_windows(file.header());
-    image.layers = list_layers(file.header().channels());
-    if (image.layers.empty()) throw std::runtime_error("it has no channel at full resolution");
-    read_attributes(file.header(), image);
-    Imf::FrameBuffer frame;
-    const Imath::Box2i window = file.header().dataWindow();
-    for (Layer& layer : image.layers) {
-      layer.pixels.resize(image.pixel_count() * layer.channels.size());
-      for (std::size_t c = 0; c < layer.channels.size(); ++c)
-        frame.insert(channel_name(layer, layer.channels[c]), slice(layer, c, window));
-    }
-    file.setFrameBuffer(frame);
-    file.readPixels(window.min.y, window.max.y);
-    return image;
+    return decode(file);
   } catch (const std::exception& error) {
     throw Error(ExitCode::scene,
                 fmt::format("{}: not a readable EXR image: {}; check the name and that the file is complete", path,
                             error.what()));
   }
+}
+
+Image decode_exr(std::string bytes) {
+  Imf::StdISStream stream;
+  stream.str(std::move(bytes));
+  Imf::InputFile file(stream);
+  return decode(file);
 }
 
 }  // namespace meniscal

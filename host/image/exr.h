@@ -16,4 +16,7 @@ void write_exr(const std::string& path, const Image& image);
 // Error(ExitCode::scene) where it is not a readable image.
 Image read_exr(const std::string& path);
 
+// The same from a file's bytes. Throws std::exception that says why it is not readable.
+Image decode_exr(std::string bytes);
+
 }  // namespace meniscal

@@ -63,7 +63,7 @@ std::vector<std::uint32_t> constants_of(const World& world) {
       static_cast<std::uint32_t>(world.bvh.nodes.size()),
       any_light([](const Light& l) { return l.type == shared::LIGHT_DIRECTIONAL; }),
       any_light([](const Light& l) { return l.type == shared::LIGHT_POINT || l.type == shared::LIGHT_SPOT; }),
-      world.area_lights,
+      any_light([](const Light& l) { return l.type == shared::LIGHT_AREA; }),
       any_surface(shared::SPECULAR_MIRROR),
       any_surface(shared::SPECULAR_DIELECTRIC),
       any_surface(shared::SPECULAR_THIN),
@@ -71,6 +71,11 @@ std::vector<std::uint32_t> constants_of(const World& world) {
                   [](const auto& s) { return s.absorption != glm::vec3(0); }),
       std::bit_cast<std::uint32_t>(static_cast<float>(world.radius)),
   };
+}
+
+std::vector<std::uint32_t> sky_constants_of(const World& world) {
+  const SampledEnvironment& e = world.environment;
+  return {world.suns, e.columns, e.rows, e.first, std::bit_cast<std::uint32_t>(static_cast<float>(e.turn))};
 }
 
 }  // namespace
@@ -82,11 +87,14 @@ SceneTables::SceneTables(const gpu::Device& device, const World& world, std::siz
       lights(upload(device, "lights", world.lights)),
       cdf(upload(device, "cdf", whole_texels(world.cdf))),
       targets(upload(device, "targets", whole_texels(world.targets))),
+      environment(upload(device, "environment", world.environment.pixels)),
       counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
       scene_constants(constants_of(world)),
+      sky_constants(sky_constants_of(world)),
       texel(allow_texel && device.choices().reads_texels(
                                std::max({largest_table, scene.bytes() / sizeof(Texel), lights.bytes() / sizeof(Texel),
-                                         cdf.bytes() / sizeof(Texel), surfaces.bytes() / sizeof(Texel)}))) {}
+                                         cdf.bytes() / sizeof(Texel), environment.bytes() / sizeof(Texel),
+                                         surfaces.bytes() / sizeof(Texel)}))) {}
 
 void SceneTables::collect_counters() {
   const auto now = counters.download<std::uint32_t>();
@@ -99,18 +107,14 @@ std::vector<std::uint32_t> SceneTables::constants(const PathFeatures& features) 
   for (const bool feature : {features.differentials, features.emission, features.scattering, features.nested,
                              features.gloss, features.rough})
     constants.push_back(feature);
+  constants.insert(constants.end(), sky_constants.begin(), sky_constants.end());
   return constants;
 }
 
 std::vector<gpu::Binding> SceneTables::layout() const {
   const gpu::Kind table = texel ? gpu::Kind::texel : gpu::Kind::storage;
-  return {{BIND_SCENE, table},
-          {BIND_NORMALS, table},
-          {BIND_SURFACES, table},
-          {BIND_LIGHTS, table},
-          {BIND_CDF, table},
-          {BIND_TARGETS, table},
-          {BIND_COUNTERS, gpu::Kind::storage}};
+  return {{BIND_SCENE, table}, {BIND_NORMALS, table}, {BIND_SURFACES, table},    {BIND_LIGHTS, table},
+          {BIND_CDF, table},   {BIND_TARGETS, table}, {BIND_ENVIRONMENT, table}, {BIND_COUNTERS, gpu::Kind::storage}};
 }
 
 std::vector<gpu::Bound> SceneTables::bound() const {
@@ -120,6 +124,7 @@ std::vector<gpu::Bound> SceneTables::bound() const {
           {BIND_LIGHTS, lights, gpu::Format::rgba32ui},
           {BIND_CDF, cdf, gpu::Format::rgba32ui},
           {BIND_TARGETS, targets, gpu::Format::rgba32ui},
+          {BIND_ENVIRONMENT, environment, gpu::Format::rgba32ui},
           {BIND_COUNTERS, counters}};
 }
 

@@ -17,9 +17,10 @@ struct PathFeatures {
 };
 
 struct SceneTables {
-  gpu::Buffer scene, normals, surfaces, lights, cdf, targets, counters;
-  // Specialisation constants of scene.glsl in order of their ids, without those of PathFeatures.
-  std::vector<std::uint32_t> scene_constants;
+  gpu::Buffer scene, normals, surfaces, lights, cdf, targets, environment, counters;
+  // Specialisation constants of scene.glsl in order of their ids, without those of PathFeatures; the latter stand
+  // between the two.
+  std::vector<std::uint32_t> scene_constants, sky_constants;
   bool texel;  // tables are read through texel buffers: how shaders are to be compiled
 
   // Texel buffers are used where `allow_texel`, and where the largest table fits: `largest_table` is the number of
@@ -31,7 +32,7 @@ struct SceneTables {
   std::array<std::uint64_t, shared::COUNTERS> sums{};  // by shared::COUNTER_*
 
   std::vector<std::uint32_t> constants(const PathFeatures& features) const;
-  std::vector<gpu::Binding> layout() const;  // of bindings 0 to BIND_OUTPUT - 1
+  std::vector<gpu::Binding> layout() const;  // of the bindings that all passes have that trace rays
   std::vector<gpu::Bound> bound() const;
 };
 

@@ -4,6 +4,7 @@
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
+#include "host/reference/sky.h"
 #include "shaders/shared/material.h"
 
 namespace meniscal::reference {
@@ -38,9 +39,9 @@ Direct ask_lights(const Tracer& tracer, const DiffusePoint& point, const glm::dv
   direct.irradiance = light.irradiance * cosine * glm::exp(-absorption * way);
   if (point.glossy) {
     const double other = bounced ? scattering_pdf(point, *bounced, light.direction) : 0;
-    const double part = light.pdf > 0 ? balance(light.pdf, other) : 1;
-    direct.beyond_lambert =
-        direct.irradiance * beyond_lambert(point.face, glm::dvec3(point.surface.albedo), light.direction, part);
+    const double own = asked_pdf(world, light);
+    direct.beyond_lambert = direct.irradiance * beyond_lambert(point.face, glm::dvec3(point.surface.albedo),
+                                                               light.direction, own > 0 ? balance(own, other) : 1);
   }
   return direct;
 }
@@ -88,11 +89,18 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
   std::uint32_t dimension = shared::DIM_FIRST_BOUNCE;
   Scattering bounce{.goes_on = view.bounced};  // at the first diffuse surface of a bounced view
   bool bounced = false, first = true;
-  bool straight = false;                                            // nothing was met since the bounce
+  bool straight = false;  // nothing was met since the bounce
+  // Of what a bounced path sees at once of a light, the surface that it left has asked it itself.
+  const auto part = [&](double asked_pdf) {
+    if (!view.bounced) return 1.0;
+    return straight && bounce.by_lobe ? balance(bounce.pdf, asked_pdf) : 0.0;
+  };
   for (std::uint32_t met = 0; met <= settings.specular_bounces;) {  // specular surfaces since the last diffuse one
     auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) {
       sample.triangle = shared::END_ESCAPED;
+      const SkySample beyond = sky(world, path.ray.direction);
+      emitted += path.throughput * path.radiance_scale * beyond.radiance * part(beyond.pdf);
       break;
     }
     absorb(path, hit->t);
@@ -106,14 +114,10 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
       first = false;
     }
     const glm::dvec3 throughput = path.throughput * path.radiance_scale;
-    if (front || surface.double_sided) {
-      // Of what a bounced path sees at once, the surface that it left has asked the lights itself.
-      double part = view.bounced ? 0 : 1;
-      if (straight && bounce.by_lobe)
-        part = balance(bounce.pdf, area_light_pdf(world, hit->triangle, hit->t,
-                                                  std::abs(glm::dot(triangle.geometric, path.ray.direction))));
-      emitted += throughput * glm::dvec3(surface.emission) * part;
-    }
+    if (front || surface.double_sided)
+      emitted += throughput * glm::dvec3(surface.emission) *
+                 part(area_light_pdf(world, hit->triangle, hit->t,
+                                     std::abs(glm::dot(triangle.geometric, path.ray.direction))));
     straight = false;
     if (pass_straight(path, *hit, tracer)) continue;
     const bool own_way = bounced;  // by roulette

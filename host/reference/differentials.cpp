@@ -19,11 +19,10 @@ Differential start_differential(const glm::dvec3& facet_normal, const glm::dvec3
   return d;
 }
 
-Differential light_differential(const glm::dvec3& light_normal, double extent, const glm::dvec3& direction,
-                                double distance) {
+Differential light_differential(const glm::dvec3& light_normal, double extent, const glm::dvec3& direction) {
   Differential d;
   for (int i = 0; const glm::dvec3& along : tangents(light_normal))
-    d.direction[i++] = extent / distance * (direction * glm::dot(direction, along) - along);
+    d.direction[i++] = extent * (direction * glm::dot(direction, along) - along);
   return d;
 }
 

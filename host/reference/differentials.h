@@ -23,10 +23,9 @@ std::array<glm::dvec3, 2> tangents(const glm::dvec3& n);
 // at `distance`.
 Differential start_differential(const glm::dvec3& facet_normal, const glm::dvec3& direction, double distance);
 
-// While the start stays, and the point on an area light at `distance` moves along two perpendicular directions in its
-// facet, per `extent` metres.
-Differential light_differential(const glm::dvec3& light_normal, double extent, const glm::dvec3& direction,
-                                double distance);
+// While the start stays, and the point on an extended light moves along two perpendicular directions in its facet, per
+// `extent`: the part of its distance, rad.
+Differential light_differential(const glm::dvec3& light_normal, double extent, const glm::dvec3& direction);
 
 // Derivative of the interpolated unit shading normal along the place's derivatives, at a point of `triangle` where it
 // is `shading`.

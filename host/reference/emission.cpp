@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "host/reference/sky.h"
+
 namespace meniscal::reference {
 namespace {
 
@@ -18,9 +20,13 @@ Emission emit(const Tracer& tracer, const glm::dvec2& place, const shared::Rando
   const shared::Light& light = world.lights[picked.index];
   const glm::dvec3 axis = glm::normalize(glm::dvec3(light.direction));
   Emission e{{glm::dvec3(light.position), axis}, glm::dvec3(light.intensity) * picked.weight, no_triangle, light.media};
-  if (light.type == shared::LIGHT_DIRECTIONAL) {
-    e.ray.origin = world.radius * around(axis, std::sqrt(place.x), -1.01, place.y);
-    e.flux *= pi * world.radius * world.radius;
+  if (light.type == shared::LIGHT_DIRECTIONAL || light.type == shared::LIGHT_ENVIRONMENT) {
+    const DistantSample s = sample_distant(
+        world, light,
+        {double(shared::random_unit(key, shared::DIM_LIGHT_U)), double(shared::random_unit(key, shared::DIM_LIGHT_V))});
+    e.ray.direction = -s.direction;
+    e.ray.origin = world.radius * around(e.ray.direction, std::sqrt(place.x), -1.01, place.y);
+    e.flux = s.irradiance * picked.weight * pi * world.radius * world.radius;
   } else if (light.type == shared::LIGHT_AREA) {
     const double root = std::sqrt(double(shared::random_unit(key, shared::DIM_LIGHT_U)));
     const double v = root * double(shared::random_unit(key, shared::DIM_LIGHT_V));

@@ -12,8 +12,8 @@ struct Emission {
   glm::uvec4 media;        // that the light is inside of
 };
 
-// From one of the lights, by power. `place`, uniform in the square: where on the disc across a distant light, or where
-// to from others.
+// From one of the lights, by power. `place`, uniform in the square: where on the disc across a distant light's
+// direction, or where to from others.
 Emission emit(const Tracer& tracer, const glm::dvec2& place, const shared::RandomKey& key);
 
 }  // namespace meniscal::reference

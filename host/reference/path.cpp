@@ -7,6 +7,7 @@
 
 #include "host/reference/optics.h"
 #include "host/reference/reflection.h"
+#include "host/reference/sky.h"
 #include "shaders/shared/material.h"
 
 namespace meniscal::reference {
@@ -175,7 +176,14 @@ LightSample sample_light(const World& world, std::uint32_t index, double weight,
   const glm::dvec3 axis = glm::normalize(glm::dvec3(light.direction));
   LightSample s{-axis, std::numeric_limits<double>::infinity(), glm::dvec3(light.intensity) * weight, no_triangle, {}};
   s.media = light.media;
-  if (light.type == shared::LIGHT_DIRECTIONAL) return s;
+  if (light.type == shared::LIGHT_DIRECTIONAL || light.type == shared::LIGHT_ENVIRONMENT) {
+    const DistantSample distant = sample_distant(world, light, place);
+    s.direction = distant.direction;
+    s.irradiance = distant.irradiance * weight;
+    s.normal = -s.direction;
+    s.extent = std::min(std::sqrt(distant.solid_angle * weight), most_extent);
+    return s;
+  }
 
   glm::dvec3 on_light(light.position);
   if (light.type == shared::LIGHT_AREA) {
@@ -183,16 +191,15 @@ LightSample sample_light(const World& world, std::uint32_t index, double weight,
     on_light += (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2);
     s.triangle = light.triangle;
     s.normal = axis;
-    s.extent = std::sqrt(double(light.area) * weight);
   }
   s.distance = glm::length(on_light - point);
   s.direction = (on_light - point) / s.distance;
   s.irradiance /= s.distance * s.distance;
   const double cosine = -glm::dot(s.direction, axis);
-  if (light.type == shared::LIGHT_AREA && cosine != 0)
-    s.pdf = s.distance * s.distance / (std::abs(cosine) * double(light.area) * weight);
-  if (light.type == shared::LIGHT_AREA)
+  if (light.type == shared::LIGHT_AREA) {
     s.irradiance *= double(light.area) * (light.double_sided ? std::abs(cosine) : std::max(cosine, 0.0));
+    s.extent = std::sqrt(double(light.area) * weight) / s.distance;
+  }
   if (light.type == shared::LIGHT_SPOT) {
     const double falloff = std::clamp((double(light.cone_versine) - (1 - cosine)) * double(light.cone_scale), 0.0, 1.0);
     s.irradiance *= falloff * falloff;
@@ -206,6 +213,12 @@ double area_light_pdf(const World& world, std::uint32_t triangle, double distanc
   return double(world.lights[light - 1].probability) * distance * distance / (world.triangles[triangle].area * cosine);
 }
 
+double asked_pdf(const World& world, const LightSample& light) {
+  if (light.extent == 0) return 0;
+  if (light.triangle == no_triangle) return sky(world, light.direction).pdf;
+  return area_light_pdf(world, light.triangle, light.distance, std::abs(glm::dot(light.normal, light.direction)));
+}
+
 bool visible(const Tracer& tracer, const glm::dvec3& point, std::uint32_t triangle, const glm::dvec3& side,
              const LightSample& light) {
   const double reach = light.triangle == no_triangle ? light.distance : light.distance * (1 - 1e-5);
@@ -216,8 +229,9 @@ Picked pick(const std::vector<std::uint32_t>& cdf, std::uint32_t first, std::siz
   const auto begin = cdf.begin() + first, end = begin + static_cast<std::ptrdiff_t>(count);
   bits = std::min(bits, 0xFFFFFFFEu);
   const auto entry = std::upper_bound(begin, end, bits);
-  const double start = entry == begin ? 0 : double(*(entry - 1)), width = *entry - start;
-  return {static_cast<std::uint32_t>(entry - begin), std::min((bits - start) / width, 1 - 1e-9), 0x1p32 / width};
+  const std::uint32_t start = entry == begin ? 0 : *(entry - 1), width = *entry - start;
+  const float rest = std::min(static_cast<float>(bits - start) / static_cast<float>(width), 0.99999994f);
+  return {static_cast<std::uint32_t>(entry - begin), double(rest), 0x1p32 / width};
 }
 
 }  // namespace meniscal::reference

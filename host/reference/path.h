@@ -25,7 +25,7 @@ struct Path {
   glm::dvec3 absorption{0};     // of the medium it is in, 1/m
   double radiance_scale = 1;    // product of (n_beyond / n_arrival)^-2: for radiance, not for flux
   Differential differential{};  // by where it starts
-  Differential by_light{};      // by the point on an area light
+  Differential by_light{};      // by the point on an extended light
 };
 
 // Media as the world's lights and the settings tell them.
@@ -59,14 +59,13 @@ struct LightSample {
   glm::dvec3
       irradiance;  // on a surface facing the light, over the sample's probability (density); 0: not emitted this way
   std::uint32_t triangle;  // of an area light
-  glm::dvec3 normal;       // of an area light
-  double extent = 0;       // of an area light: root of its area over the probability of having chosen it, m
-  glm::uvec4 media{0};     // that the light is inside of
-  double pdf = 0;          // of the direction, 1/sr; 0: no other has that light
+  glm::dvec3 normal;       // of an extended light: of its facet, or along its direction
+  double extent = 0;    // of an extended light: root of its solid angle over this sample's probability (density), rad
+  glm::uvec4 media{0};  // that the light is inside of
 };
 
 // `weight`: 1 / probability of having chosen this light. `place`: uniform in the unit square, picks the point of an
-// area light.
+// extended light.
 LightSample sample_light(const World& world, std::uint32_t light, double weight, const glm::dvec3& point,
                          const glm::dvec2& place);
 // One of the lights, by the CDF that begins at `first`. `stratified`: light and point by the sequence that the start is
@@ -75,8 +74,11 @@ LightSample sample_lights(const World& world, std::uint32_t first, const glm::dv
                           const shared::RandomKey& key, bool stratified);
 
 // The density, per solid angle, with which sample_lights takes the direction of a point on a triangle, at `distance`
-// metres under `cosine` to the triangle's normal. 0: no light.
+// under `cosine` to the triangle's normal. 0: no light.
 double area_light_pdf(const World& world, std::uint32_t triangle, double distance, double cosine);
+
+// The same of a light sample. 0: a point or a direction, which no path meets by chance.
+double asked_pdf(const World& world, const LightSample& light);
 
 // Whether nothing at all, specular surfaces included, stands between a point of `triangle`, seen from `side`, and the
 // light sample.
@@ -84,7 +86,7 @@ bool visible(const Tracer& tracer, const glm::dvec3& point, std::uint32_t triang
              const LightSample& light);
 
 // The entry of cdf[first .. first + count) whose interval holds `bits`, where in the interval it falls, in [0, 1), and
-// 1 / the interval's width, its probability.
+// 1 / the interval's width, its probability. The rest is rounded as on the GPU: further picks hang on its last bits.
 struct Picked {
   std::uint32_t index;
   double rest, weight;

@@ -3,6 +3,8 @@
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
+#include "host/reference/sky.h"
+
 namespace meniscal::reference {
 
 CameraSample trace_whole_path(const Tracer& tracer, const RenderSettings& settings, const CameraAxes& axes,
@@ -21,7 +23,17 @@ CameraSample trace_whole_path(const Tracer& tracer, const RenderSettings& settin
   bool passed = false;  // straight through a surface, since the last diffuse one
   for (bool first = true; met <= settings.specular_bounces; first = false) {
     auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
-    if (!hit) break;
+    // What a diffuse surface sees of the lights without anything between, it was told when it asked them; by its lobe
+    // it is both asked and seen.
+    const auto part = [&](double asked_pdf) {
+      if (scattered == 0 || met > 0 || passed) return 1.0;
+      return scattering.by_lobe ? balance(scattering.pdf, asked_pdf) : 0.0;
+    };
+    if (!hit) {
+      const SkySample beyond = sky(world, path.ray.direction);
+      emitted += path.throughput * path.radiance_scale * beyond.radiance * part(beyond.pdf);
+      break;
+    }
     absorb(path, hit->t);
     const WorldTriangle& triangle = world.triangles[hit->triangle];
     const shared::Surface surface = shade(world, *hit);
@@ -30,16 +42,10 @@ CameraSample trace_whole_path(const Tracer& tracer, const RenderSettings& settin
       sample.depth = static_cast<float>(hit->t);
       sample.meniscus = triangle.meniscus ? 1.0f : 0.0f;
     }
-    // What a diffuse surface sees of the lights without anything between, it was told when it asked them; by its lobe
-    // it is both asked and seen.
-    double part = 1;
-    if (scattered > 0 && met == 0 && !passed)
-      part = scattering.by_lobe
-                 ? balance(scattering.pdf, area_light_pdf(world, hit->triangle, hit->t,
-                                                          std::abs(glm::dot(triangle.geometric, path.ray.direction))))
-                 : 0;
     if (front || surface.double_sided)
-      emitted += path.throughput * path.radiance_scale * glm::dvec3(surface.emission) * part;
+      emitted += path.throughput * path.radiance_scale * glm::dvec3(surface.emission) *
+                 part(area_light_pdf(world, hit->triangle, hit->t,
+                                     std::abs(glm::dot(triangle.geometric, path.ray.direction))));
     if (pass_straight(path, *hit, tracer)) {
       passed = true;
       continue;

@@ -46,6 +46,11 @@ Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uve
   plan.push_back(counted("directional lights",
                          count_lights(world, [](const Light& l) { return l.type == shared::LIGHT_DIRECTIONAL; }),
                          "directional lights"));
+  plan.push_back(counted("suns", world.suns, "directional lights with an angular diameter"));
+  const SampledEnvironment& environment = world.environment;
+  plan.push_back({"environment", environment.columns > 0,
+                  environment.columns > 0 ? fmt::format("{} x {} pixels", environment.columns, environment.rows)
+                                          : "no light from beyond the scene"});
   plan.push_back(counted(
       "point and spot lights",
       count_lights(world, [](const Light& l) { return l.type == shared::LIGHT_POINT || l.type == shared::LIGHT_SPOT; }),

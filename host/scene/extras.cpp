@@ -17,9 +17,11 @@ struct Key {
   Place place;
 };
 
-constexpr std::array<Key, 16> keys = {{{"angular_diameter", Place::light},
+constexpr std::array<Key, 18> keys = {{{"angular_diameter", Place::light},
                                        {"dielectric_priority", Place::material},
                                        {"environment", Place::scene},
+                                       {"environment_rotation", Place::scene},
+                                       {"environment_strength", Place::scene},
                                        {"gravity", Place::scene},
                                        {"meniscus_contact_angle", Place::material},
                                        {"meniscus_density", Place::material},

@@ -23,7 +23,6 @@ void read_scene_extras(const tinygltf::Model& model, Scene& scene, Messages& mes
   const tinygltf::Scene& source = model.scenes[index];
   const Extras extras(source.extras, label("scene", source.name, index), messages);
   scene.gravity = extras.number("gravity", {0, 1e4, true}).value_or(scene.gravity);
-  if (extras.text("environment", {})) messages.warn(extras.object(), "environment is not used yet");
   warn_of_unread_extras(source.extras, Place::scene, extras.object(), messages);
 }
 
@@ -42,11 +41,13 @@ void warn_of_misplaced_extras(const tinygltf::Model& model, const std::vector<Pl
 bool emits(const Scene& scene) {
   for (const Object& object : scene.objects)
     if (scene.materials[static_cast<std::size_t>(object.material)].emission != glm::dvec3(0)) return true;
-  return !scene.lights.empty();
+  return !scene.lights.empty() || scene.environment;
 }
 
-Scene assemble(const tinygltf::Model& model, Messages& messages) {
+Scene assemble(const Source& source, Messages& messages) {
+  const tinygltf::Model& model = source.model;
   Scene scene;
+  scene.environment = source.environment;
   const std::vector<PlacedNode> nodes = place_nodes(model, messages);
   const std::vector<MeshParts> meshes = read_meshes(model, nodes, messages);
   const Box box = bounding_box(model, nodes, meshes);
@@ -75,7 +76,7 @@ Scene assemble(const tinygltf::Model& model, Messages& messages) {
 }  // namespace
 
 Scene make_scene(const Source& source, Messages& messages) {
-  Scene scene = assemble(source.model, messages);
+  Scene scene = assemble(source, messages);
   scene.file = source.file;
   scene.hash = source.hash;
   scene.warnings = messages.warnings();

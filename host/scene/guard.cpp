@@ -21,6 +21,10 @@ AssetFolder::AssetFolder(const std::string& scene_path, const Messages& messages
 
 std::vector<unsigned char> AssetFolder::read_scene() { return read(scene_, "scene file"); }
 
+std::vector<unsigned char> AssetFolder::read_beside(const std::string& uri) {
+  return read(resolve(uri), fmt::format("uri \"{}\"", uri));
+}
+
 fs::path AssetFolder::resolve(const std::string& uri) const {
   const std::string object = fmt::format("uri \"{}\"", uri);
   const fs::path relative(uri);
@@ -77,7 +81,7 @@ tinygltf::FsCallbacks AssetFolder::callbacks() {
       *out = std::move(*buffer);
       return true;
     }
-    *out = folder->read(folder->resolve(uri), fmt::format("uri \"{}\"", uri));
+    *out = folder->read_beside(uri);
     return true;
   };
   result.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {

@@ -27,6 +27,9 @@ class AssetFolder {
   // The scene file itself.
   std::vector<unsigned char> read_scene();
 
+  // A file that the scene names.
+  std::vector<unsigned char> read_beside(const std::string& uri);
+
   // The buffers taken out of the scene file's text: tinygltf will ask for each once, by its embedded_name.
   void add_embedded(std::vector<std::vector<unsigned char>> buffers) { embedded_ = std::move(buffers); }
 

@@ -99,8 +99,6 @@ PunctualLight read_light(const tinygltf::Light& source, const std::string& objec
   light.angular_diameter = glm::radians(extras.number("angular_diameter", {0, 180}).value_or(0));
   if (light.angular_diameter > 0 && light.type != Type::directional)
     messages.warn(object, "angular_diameter is ignored: only a directional light has one");
-  else if (light.angular_diameter > 0)
-    messages.warn(object, "angular_diameter is not used yet: its light is parallel");
   warn_of_unread_extras(source.extras, Place::light, object, messages);
   return light;
 }

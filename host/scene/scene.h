@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/environment.h"
 #include "meniscus/mesh.h"
 
 namespace meniscal {
@@ -85,6 +86,7 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Camera> cameras;  // at least one: a default camera that sees everything is made when the file has none
   std::vector<PunctualLight> lights;
+  std::optional<Environment> environment;
   std::vector<std::string> warnings;  // each said once, naming the object and what was done
 };
 

@@ -14,7 +14,8 @@ struct Source {
   std::string file;       // as given, for messages
   std::string json;       // its text; of buffers that stood in it only names are left
   tinygltf::Model model;  // validated; an image in a file of its own holds that file's bytes, undecoded
-  std::string hash;       // of all bytes read, hexadecimal
+  std::optional<Environment> environment;
+  std::string hash;  // of all bytes read, hexadecimal
 };
 
 // guard -> embedded buffers -> schema -> tinygltf -> validate. Throws Error(ExitCode::scene).

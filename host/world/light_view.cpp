@@ -8,6 +8,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// Wider suns see targets from sides too different for one view.
+constexpr double widest_versine = 0.0038;  // 10 degrees across
+
 // Bounds of the corners of targets first .. first + count along two axes.
 glm::dvec4 bounds(const World& world, std::uint32_t first, std::size_t count, const glm::dvec3& u,
                   const glm::dvec3& v) {
@@ -23,7 +26,8 @@ glm::dvec4 bounds(const World& world, std::uint32_t first, std::size_t count, co
 }  // namespace
 
 std::optional<LightView> find_light_view(const World& world, const shared::Light& light) {
-  if (light.type != shared::LIGHT_DIRECTIONAL || world.targets.empty()) return std::nullopt;
+  if (light.type != shared::LIGHT_DIRECTIONAL || double(light.cone_versine) > widest_versine || world.targets.empty())
+    return std::nullopt;
   const glm::dvec3 along = glm::normalize(glm::dvec3(light.direction));
   const glm::dvec3 u =
       glm::normalize(std::abs(along.x) > 0.6 ? glm::dvec3(along.z, 0, -along.x) : glm::dvec3(0, -along.z, along.y));
@@ -31,11 +35,16 @@ std::optional<LightView> find_light_view(const World& world, const shared::Light
   double seen = 0;  // area of the targets in projection
   for (std::uint32_t i : world.targets)
     seen += world.triangles[i].area * std::abs(glm::dot(world.triangles[i].geometric, along));
-  // A margin of float's rounding at the scene's size, so that no edge is lost.
-  const glm::dvec4 box = bounds(world, 0, world.targets.size(), u, v) + 1e-6 * world.radius * glm::dvec4(-1, -1, 1, 1);
+  // The view lies in the middle of the targets, where slanted light goes least far from where it meets them. A margin
+  // for that, and of float's rounding at the scene's size, so that no edge is lost.
+  const glm::dvec4 depths = bounds(world, 0, world.targets.size(), along, along);
+  const double middle = 0.5 * (depths.x + depths.z), versine = double(light.cone_versine);
+  const double slant = std::sqrt(versine * (2 - versine)) / (1 - versine);
+  const double margin = 1e-6 * world.radius + 0.5 * (depths.z - depths.x) * slant;
+  const glm::dvec4 box = bounds(world, 0, world.targets.size(), u, v) + margin * glm::dvec4(-1, -1, 1, 1);
   const glm::dvec2 size(box.z - box.x, box.w - box.y);
   if (seen < 0.25 * size.x * size.y) return std::nullopt;
-  return LightView{box.x * u + box.y * v - 1.01 * world.radius * along, size.x * u, size.y * v, size.x * size.y};
+  return LightView{box.x * u + box.y * v + middle * along, size.x * u, size.y * v, size.x * size.y};
 }
 
 glm::dvec4 bounds_in(const LightView& view, const World& world, const Stratum& stratum) {

@@ -25,6 +25,11 @@ Powered punctual(const PunctualLight& l, double radius) {
   if (l.type == PunctualLight::Type::directional) {
     light.type = shared::LIGHT_DIRECTIONAL;
     measure = pi * radius * radius;
+    const double sine = std::sin(l.angular_diameter / 4), versine = 2 * sine * sine;
+    light.cone_versine = static_cast<float>(versine);
+    // The normal irradiance is radiance times pi sin^2 of the half angle, the cone's solid angle 2 pi times its
+    // versine.
+    light.intensity *= static_cast<float>(2 / (2 - versine));
   } else if (l.type == PunctualLight::Type::spot) {
     light.type = shared::LIGHT_SPOT;
     measure = 2 * pi * (1 - std::cos(l.outer_cone));
@@ -32,7 +37,13 @@ Powered punctual(const PunctualLight& l, double radius) {
     light.cone_scale = static_cast<float>(scale);
     light.cone_versine = static_cast<float>(1 - std::cos(l.outer_cone));
   }
-  return {light, mean(l.intensity) * measure};
+  return {light, mean(glm::dvec3(light.intensity)) * measure};
+}
+
+Powered sky(const SampledEnvironment& environment, double radius) {
+  shared::Light light{};
+  light.type = shared::LIGHT_ENVIRONMENT;
+  return {light, environment.irradiance * glm::pi<double>() * radius * radius};
 }
 
 Powered emissive(const WorldTriangle& t, std::uint32_t index, const shared::Surface& surface) {
@@ -51,13 +62,14 @@ Powered emissive(const WorldTriangle& t, std::uint32_t index, const shared::Surf
 
 }  // namespace
 
-std::vector<shared::Light> make_lights(const Scene& scene, std::span<const WorldTriangle> triangles,
-                                       std::span<const shared::Surface> surfaces, double radius) {
+std::vector<shared::Light> make_lights(const Scene& scene, const World& world) {
   std::vector<Powered> all;
-  for (const PunctualLight& l : scene.lights) all.push_back(punctual(l, radius));
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const shared::Surface& surface = surfaces[triangles[i].material];
-    if (surface.emission != glm::vec3(0)) all.push_back(emissive(triangles[i], i, surface));
+  for (const PunctualLight& l : scene.lights) all.push_back(punctual(l, world.radius));
+  const auto others = std::stable_partition(all.begin(), all.end(), [](const Powered& p) { return is_sun(p.light); });
+  all.insert(others, sky(world.environment, world.radius));
+  for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
+    const shared::Surface& surface = world.surfaces[world.triangles[i].material];
+    if (surface.emission != glm::vec3(0)) all.push_back(emissive(world.triangles[i], i, surface));
   }
   std::erase_if(all, [](const Powered& p) { return !(p.power > 0); });
 

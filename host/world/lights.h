@@ -1,14 +1,17 @@
-// Lights of the scene, punctual and emissive, with the probability of choosing each: by power.
+// Lights of the scene: suns, environment, other punctual ones, emissive triangles, with the probability of choosing
+// each: by power.
 #pragma once
-
-#include <span>
 
 #include "host/world/world.h"
 
 namespace meniscal {
 
-// `radius`: of the scene, for the power of directional lights. Lights without power are left out.
-std::vector<shared::Light> make_lights(const Scene& scene, std::span<const WorldTriangle> triangles,
-                                       std::span<const shared::Surface> surfaces, double radius);
+// Directional lights with an angular diameter.
+inline bool is_sun(const shared::Light& light) {
+  return light.type == shared::LIGHT_DIRECTIONAL && light.cone_versine > 0;
+}
+
+// For a world that has its triangles, surfaces, environment and radius. Lights without power are left out.
+std::vector<shared::Light> make_lights(const Scene& scene, const World& world);
 
 }  // namespace meniscal

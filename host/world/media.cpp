@@ -119,7 +119,7 @@ void find_media(World& world) {
   }
   if (world.nested.empty() && !absorption) return;  // nothing hangs on where lights are
   for (shared::Light& light : world.lights) {
-    if (light.type == shared::LIGHT_DIRECTIONAL) continue;
+    if (light.type == shared::LIGHT_DIRECTIONAL || light.type == shared::LIGHT_ENVIRONMENT) continue;
     light.media = media_at(world, place_of(light, world.radius));
     if (world.nested.empty() && absorbs(world, light.media)) world.nested = "a light is in what absorbs";
   }

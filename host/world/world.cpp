@@ -6,6 +6,7 @@
 
 #include "host/error.h"
 #include "host/stopwatch.h"
+#include "host/world/cdf.h"
 #include "host/world/light_view.h"
 #include "host/world/lights.h"
 #include "host/world/media.h"
@@ -61,18 +62,6 @@ void build_hierarchy(World& world) {
   world.bvh_seconds = watch.seconds();
 }
 
-// Appends cumulative probabilities in units of 2^-32; from the last entry with a weight on they are 2^32 - 1, so that
-// every number finds an entry that has one.
-template <class Weight>
-void append_cdf(std::vector<std::uint32_t>& cdf, std::size_t count, Weight weight) {
-  double sum = 0, total = 0;
-  for (std::size_t i = 0; i < count; ++i) total += weight(i);
-  for (std::size_t i = 0; i < count; ++i) {
-    sum += weight(i);
-    cdf.push_back(sum >= total ? 0xFFFFFFFFu : static_cast<std::uint32_t>(sum / total * 4294967295.0));
-  }
-}
-
 void build_strata(World& world) {
   Stratum targeted{.name = "targeted", .map = shared::MAP_TARGETED};
   Stratum caustic{.name = "caustic", .map = shared::MAP_CAUSTIC};
@@ -98,6 +87,18 @@ void build_strata(World& world) {
   append_cdf(world.cdf, world.lights.size(), power);
   world.near_first = static_cast<std::uint32_t>(world.cdf.size());
   append_cdf(world.cdf, world.lights.size(), [&](std::size_t i) { return world.views[i] ? 0 : power(i); });
+}
+
+void build_lights(World& world, const Scene& scene) {
+  if (scene.environment) world.environment = make_environment(*scene.environment, world.cdf);
+  world.lights = make_lights(scene, world);
+  for (std::uint32_t i = 0; i < world.lights.size(); ++i) {
+    const shared::Light& light = world.lights[i];
+    if (is_sun(light)) ++world.suns;
+    if (light.type == shared::LIGHT_AREA) world.triangles[light.triangle].light = i + 1;
+    world.extended_lights |=
+        light.type == shared::LIGHT_AREA || light.type == shared::LIGHT_ENVIRONMENT || is_sun(light);
+  }
 }
 
 // Surfaces by material; a material of closed and of open meshes gets a second one, since only the closed ones refract.
@@ -170,11 +171,7 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
   for (const WorldTriangle& t : world.triangles)
     for (const glm::dvec3& c : t.corner) world.radius = std::max(world.radius, glm::length(c));
   build_hierarchy(world);
-  world.lights = make_lights(scene, world.triangles, world.surfaces, world.radius);
-  world.area_lights = std::any_of(world.lights.begin(), world.lights.end(),
-                                  [](const shared::Light& l) { return l.type == shared::LIGHT_AREA; });
-  for (std::uint32_t i = 0; i < world.lights.size(); ++i)
-    if (world.lights[i].type == shared::LIGHT_AREA) world.triangles[world.lights[i].triangle].light = i + 1;
+  build_lights(world, scene);
   world.glossy = std::any_of(world.surfaces.begin(), world.surfaces.end(), shared::is_glossy);
   find_media(world);
   build_strata(world);

@@ -21,4 +21,7 @@
 #define BIND_ARRIVALS 12  // uint[], see pack_direction
 #define BIND_GLOSS 13     // PixelGloss[]
 
+// Of the scene, too.
+#define BIND_ENVIRONMENT 13  // texels: radiance by pixel and the density of directions that are sampled there
+
 #endif

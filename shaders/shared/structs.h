@@ -32,21 +32,23 @@ struct Surface {
 const uint MEDIUM_SURFACE_BITS = 20u, MEDIUM_SURFACE_MASK = 0xFFFFFu;
 SHARED uint medium_of(uint rank, uint surface) { return (rank << MEDIUM_SURFACE_BITS) | (surface + 1u); }
 
-const uint LIGHT_DIRECTIONAL = 0u, LIGHT_POINT = 1u, LIGHT_SPOT = 2u, LIGHT_AREA = 3u;
+const uint LIGHT_DIRECTIONAL = 0u, LIGHT_POINT = 1u, LIGHT_SPOT = 2u, LIGHT_AREA = 3u,
+           LIGHT_ENVIRONMENT = 4u;
 
 struct Light {
   vec3 position;      // area: first corner
   uint type;          // LIGHT_*
   vec3 direction;     // unit, the way the light travels; area: the emitting side's normal
   float probability;  // of choosing this light
-  vec3 intensity;     // directional: normal irradiance; point and spot: intensity; area: radiance
+  vec3 intensity;     // directional: radiance times solid angle (a parallel one's irradiance); point and spot: intensity;
+                      // area: radiance
   uint double_sided;  // area: emits on both sides
   vec3 edge1;         // area: the corners are position, position + edge1, position + edge2
   float area;         // area: m2
   vec3 edge2;
   uint triangle;  // area: index of the emitting triangle
   // Spot, as in KHR_lights_punctual: falloff clamp((cone_versine - v) cone_scale)^2, v = 1 - cosine from the axis (a
-  // versine keeps the digits that a cosine near 1 loses).
+  // versine keeps the digits that a cosine near 1 loses). Directional: cone_versine of its disc; 0: it is parallel.
   float cone_scale, cone_versine;
   float pad0, pad1;
   uvec4 media;  // that it is inside of
@@ -72,7 +74,7 @@ const uint START_ON_TARGETS = 0u, START_IN_VIEW = 1u, START_ON_LIGHTS = 2u;
 // in each other; a start's weight is that of its window less that of the finer one within, so that together they sum to
 // 1 everywhere and cross-fade where one takes over from the other.
 struct Beam {
-  vec3 corner;  // of the light's view
+  vec3 corner;  // of the light's view, which all that starts there goes through
   uint first;   // photon of the pass
   vec3 u;       // edges of the light's view, m
   uint count;   // photons a pass

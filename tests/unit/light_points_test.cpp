@@ -81,7 +81,7 @@ TEST(LightDifferential, AgreesWithFiniteDifferences) {
   constexpr double extent = 0.05;
   const dvec3 arrival = glm::normalize(lens.start - lens.lamp);
   reference::Differential d =
-      reference::light_differential(lens.lamp_normal, extent, arrival, glm::distance(lens.start, lens.lamp));
+      reference::light_differential(lens.lamp_normal, extent / glm::distance(lens.start, lens.lamp), arrival);
   const auto dn = reference::normal_differential(lens.facet, lens.hit(), d);
   const dvec3 leaving = reference::refract(arrival, lens.hit().shading, lens.eta);
   reference::refract(d, arrival, lens.hit().shading, dn, lens.eta);

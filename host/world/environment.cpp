@@ -1,0 +1,52 @@
+#include "host/world/environment.h"
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "host/world/cdf.h"
+
+namespace meniscal {
+namespace {
+
+double mean(const glm::vec3& c) { return (double(c.x) + double(c.y) + double(c.z)) / 3; }
+
+// Probability of the i-th of the entries that begin at `first`.
+double probability(const std::vector<std::uint32_t>& cdf, std::size_t first, std::size_t i) {
+  return (double(cdf[first + i]) - (i > 0 ? double(cdf[first + i - 1]) : 0)) * 0x1p-32;
+}
+
+}  // namespace
+
+SampledEnvironment make_environment(const Environment& image, std::vector<std::uint32_t>& cdf) {
+  const auto columns = static_cast<std::size_t>(image.width), rows = static_cast<std::size_t>(image.height);
+  constexpr double pi = glm::pi<double>();
+  const auto solid_angle = [&](std::size_t row) {  // of one of its pixels: cosines differ by 2 sin sin
+    const double half = pi / (2 * double(rows));
+    return 2 * pi / double(columns) * 2 * std::sin(half) * std::sin(half * double(2 * row + 1));
+  };
+  std::vector<double> light(rows);  // by row
+  SampledEnvironment result;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) light[row] += mean(image.radiance[row * columns + column]);
+    light[row] *= solid_angle(row);
+    result.irradiance += light[row];
+  }
+  if (!(result.irradiance > 0)) return result;
+
+  result.columns = static_cast<std::uint32_t>(columns), result.rows = static_cast<std::uint32_t>(rows);
+  const double turns = image.rotation / (2 * pi);
+  result.turn = turns - std::floor(turns);
+  result.first = static_cast<std::uint32_t>(cdf.size());
+  append_cdf(cdf, rows, [&](std::size_t row) { return light[row]; });
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::size_t first = cdf.size();
+    append_cdf(cdf, columns, [&](std::size_t column) { return mean(image.radiance[row * columns + column]); });
+    const double of_row = probability(cdf, result.first, row) / solid_angle(row);
+    for (std::size_t column = 0; column < columns; ++column)
+      result.pixels.emplace_back(image.radiance[row * columns + column],
+                                 static_cast<float>(of_row * probability(cdf, first, column)));
+  }
+  return result;
+}
+
+}  // namespace meniscal

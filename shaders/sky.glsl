@@ -1,0 +1,78 @@
+// What lies beyond the scene: suns (directional lights with an angular diameter) and the environment, an image of all directions. Lights to
+// be sampled, and what rays that leave the scene see.
+#include "optics.glsl"
+
+FETCH_TABLE(BIND_ENVIRONMENT, environment)
+
+const float FAR = 1e30;  // beyond the scene
+// Of a photon's footprint by the light, rad: derivatives tell nothing of wider ones.
+const float MOST_EXTENT = 1.0;
+
+vec3 around(vec3 axis, float sine, float cosine, float turn) {
+  vec3 u = tangent(axis), v = cross(axis, u);
+  float angle = 6.283185307179586 * turn;
+  return cosine * axis + sine * (cos(angle) * u + sin(angle) * v);
+}
+
+struct DistantSample {
+  vec3 direction;     // towards the light
+  vec3 irradiance;    // on a surface facing it, over the density of this direction
+  float solid_angle;  // 1 / that density; 0: there is but one direction
+};
+
+float sun_solid_angle(Light sun) { return 6.283185307179586 * sun.cone_versine; }
+
+// Uniform in the sun's cone.
+DistantSample sample_sun(Light sun, vec2 place) {
+  float versine = sun.cone_versine * place.x;
+  return DistantSample(around(-sun.direction, sqrt(versine * (2.0 - versine)), 1.0 - versine, place.y), sun.intensity, sun_solid_angle(sun));
+}
+
+// The environment's pixels have one radiance each, and are taken by radiance times solid angle: the row by place.x, in it the column by
+// place.y, what is left of both is the place in the pixel. Its middle looks along +X, its columns go on towards +Z, its top is +Y.
+DistantSample sample_environment(vec2 place) {
+  float down, right, weight;
+  uint row = pick(ENVIRONMENT_FIRST, ENVIRONMENT_ROWS, uint(place.x * 4294967296.0), down, weight);
+  uint columns = ENVIRONMENT_FIRST + ENVIRONMENT_ROWS + row * ENVIRONMENT_COLUMNS;
+  uint column = pick(columns, ENVIRONMENT_COLUMNS, uint(place.y * 4294967296.0), right, weight);
+  uvec4 pixel = FETCH(environment, row * ENVIRONMENT_COLUMNS + column);
+  // Uniform in solid angle: in the versine from +Y.
+  float half_row = 1.570796326794897 / float(ENVIRONMENT_ROWS), high = sin(half_row * float(row)), low = sin(half_row * float(row + 1u));
+  float versine = 2.0 * mix(high * high, low * low, down), sine = sqrt(max(versine * (2.0 - versine), 0.0));
+  float azimuth = 6.283185307179586 * ((float(column) + right) / float(ENVIRONMENT_COLUMNS) - 0.5 - ENVIRONMENT_TURN);
+  float solid_angle = 1.0 / uintBitsToFloat(pixel.w);
+  return DistantSample(vec3(sine * cos(azimuth), 1.0 - versine, sine * sin(azimuth)), uintBitsToFloat(pixel.xyz) * solid_angle, solid_angle);
+}
+
+DistantSample sample_distant(Light light, vec2 place) {
+  if (HAS_ENVIRONMENT && light.type == LIGHT_ENVIRONMENT) return sample_environment(place);
+  if (HAS_SUNS && light.cone_versine > 0.0) return sample_sun(light, place);
+  return DistantSample(-light.direction, light.intensity, 0.0);
+}
+
+struct SkySample {
+  vec3 radiance;
+  float pdf;  // density, per solid angle, with which sample_lights takes this direction to suns or environment
+};
+
+// What a ray sees that leaves the scene.
+SkySample sky(vec3 direction) {
+  SkySample s = SkySample(vec3(0.0), 0.0);
+  for (uint i = 0u; i < SUNS; ++i) {
+    Light sun = fetch_light(i);
+    vec3 off = direction + sun.direction;
+    if (0.5 * dot(off, off) >= sun.cone_versine) continue;  // the versine between unit vectors
+    s.radiance += sun.intensity / sun_solid_angle(sun);
+    s.pdf += sun.probability / sun_solid_angle(sun);
+  }
+  if (HAS_ENVIRONMENT) {
+    float across = fract(atan(direction.z, direction.x) * 0.159154943091895 + 0.5 + ENVIRONMENT_TURN);
+    float down = atan(length(direction.xz), direction.y) * 0.318309886183791;
+    uint column = min(uint(across * float(ENVIRONMENT_COLUMNS)), ENVIRONMENT_COLUMNS - 1u);
+    uint row = min(uint(down * float(ENVIRONMENT_ROWS)), ENVIRONMENT_ROWS - 1u);
+    uvec4 pixel = FETCH(environment, row * ENVIRONMENT_COLUMNS + column);
+    s.radiance += uintBitsToFloat(pixel.xyz);
+    s.pdf += fetch_light(SUNS).probability * uintBitsToFloat(pixel.w);
+  }
+  return s;
+}
