@@ -40,10 +40,10 @@ Powered punctual(const PunctualLight& l, double radius) {
   return {light, mean(glm::dvec3(light.intensity)) * measure};
 }
 
-Powered sky(const SampledEnvironment& environment, double radius) {
+Powered sky(const Environment& environment, double radius) {
   shared::Light light{};
   light.type = shared::LIGHT_ENVIRONMENT;
-  return {light, environment.irradiance * glm::pi<double>() * radius * radius};
+  return {light, light_of(environment) * glm::pi<double>() * radius * radius};
 }
 
 Powered emissive(const WorldTriangle& t, std::uint32_t index, const shared::Surface& surface) {
@@ -66,7 +66,7 @@ std::vector<shared::Light> make_lights(const Scene& scene, const World& world) {
   std::vector<Powered> all;
   for (const PunctualLight& l : scene.lights) all.push_back(punctual(l, world.radius));
   const auto others = std::stable_partition(all.begin(), all.end(), [](const Powered& p) { return is_sun(p.light); });
-  all.insert(others, sky(world.environment, world.radius));
+  if (scene.environment) all.insert(others, sky(*scene.environment, world.radius));
   for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
     const shared::Surface& surface = world.surfaces[world.triangles[i].material];
     if (surface.emission != glm::vec3(0)) all.push_back(emissive(world.triangles[i], i, surface));

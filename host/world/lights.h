@@ -11,7 +11,7 @@ inline bool is_sun(const shared::Light& light) {
   return light.type == shared::LIGHT_DIRECTIONAL && light.cone_versine > 0;
 }
 
-// For a world that has its triangles, surfaces, environment and radius. Lights without power are left out.
+// For a world that has its triangles, surfaces and radius. Lights without power are left out.
 std::vector<shared::Light> make_lights(const Scene& scene, const World& world);
 
 }  // namespace meniscal

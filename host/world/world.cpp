@@ -90,7 +90,6 @@ void build_strata(World& world) {
 }
 
 void build_lights(World& world, const Scene& scene) {
-  if (scene.environment) world.environment = make_environment(*scene.environment, world.cdf);
   world.lights = make_lights(scene, world);
   for (std::uint32_t i = 0; i < world.lights.size(); ++i) {
     const shared::Light& light = world.lights[i];
@@ -175,6 +174,7 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
   world.glossy = std::any_of(world.surfaces.begin(), world.surfaces.end(), shared::is_glossy);
   find_media(world);
   build_strata(world);
+  if (scene.environment) world.environment = make_environment(*scene.environment, world.cdf);
   return world;
 }
 

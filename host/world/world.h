@@ -70,8 +70,7 @@ struct World {
   std::vector<Stratum> strata;                  // those that have triangles
   std::vector<std::uint32_t> targets;           // triangles, by stratum
   std::vector<std::optional<LightView>> views;  // by light: photons of those that have one start there
-  std::vector<std::uint32_t>
-      cdf;  // of the environment, of targets, twice of lights: cumulative probability in units of 2^-32
+  std::vector<std::uint32_t> cdf;  // of targets, twice of lights, of the environment, in units of 2^-32
   std::uint32_t light_first = 0;  // where the lights' part of the CDF begins
   std::uint32_t near_first = 0;   // the same for lights without a view, the others left out
   std::vector<Volume> volumes;    // of dielectrics

@@ -3,25 +3,23 @@
 #define MENISCAL_BINDINGS_H
 
 // Scene tables, alike in every pass that traces rays.
-#define BIND_SCENE 0     // texels: BVH nodes, then triangle records, 4 texels each
-#define BIND_NORMALS 1   // texels: 3 a triangle, shading normals of its corners
-#define BIND_SURFACES 2  // texels: Surface[], by material
-#define BIND_LIGHTS 3    // texels: Light[]
-#define BIND_CDF 4       // texels: uint[], cumulative probabilities of targets and lights, scaled to 2^32
-#define BIND_TARGETS 5   // texels: uint[], triangles, beside their part of the CDF
-#define BIND_COUNTERS 6  // uint[COUNTERS]
-#define BIND_OUTPUT 7    // first binding of a pass's own
+#define BIND_SCENE 0        // texels: BVH nodes, then triangle records, 4 texels each
+#define BIND_NORMALS 1      // texels: 3 a triangle, shading normals of its corners
+#define BIND_SURFACES 2     // texels: Surface[], by material
+#define BIND_LIGHTS 3       // texels: Light[]
+#define BIND_CDF 4          // texels: uint[], cumulative probabilities of targets and lights, scaled to 2^32
+#define BIND_TARGETS 5      // texels: uint[], triangles, beside their part of the CDF
+#define BIND_COUNTERS 6     // uint[COUNTERS]
+#define BIND_ENVIRONMENT 7  // texels: radiance by pixel and the density of directions that are sampled there
+#define BIND_OUTPUT 8       // first binding of a pass's own
 
 // Of shaders/paths.comp.
-#define BIND_ENDS 7
-#define BIND_DISCS 8
-#define BIND_SAMPLES 9
-#define BIND_BEAMS 10  // texels: Beam[]
-#define BIND_VIEW 11   // texels: one CameraView
-#define BIND_ARRIVALS 12  // uint[], see pack_direction
-#define BIND_GLOSS 13     // PixelGloss[]
-
-// Of the scene, too.
-#define BIND_ENVIRONMENT 13  // texels: radiance by pixel and the density of directions that are sampled there
+#define BIND_ENDS 8
+#define BIND_DISCS 9
+#define BIND_SAMPLES 10
+#define BIND_BEAMS 11     // texels: Beam[]
+#define BIND_VIEW 12      // texels: one CameraView
+#define BIND_ARRIVALS 13  // uint[], see pack_direction
+#define BIND_GLOSS 14     // PixelGloss[]
 
 #endif

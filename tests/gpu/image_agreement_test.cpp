@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "tests/support/scene_setup.h"
+#include "tests/support/skies.h"
 
 namespace meniscal {
 namespace {
@@ -42,11 +43,16 @@ void expect_alike(const test::Setup& setup) {
   EXPECT_LT(std::sqrt(difference / square), 1e-3);
 }
 
+std::unique_ptr<test::Setup> make_named(const std::string& name) {
+  const test::NamedLight named = test::named_light(name);
+  return test::make_setup(named.file, test::small_options(40000, 80, 60), named.edit);
+}
+
 class ImageAgreement : public testing::TestWithParam<const char*> {};
 
 TEST_P(ImageAgreement, GpuAndReferenceGiveTheSamePicture) {
   REQUIRE_DEVICE();
-  const auto setup = test::make_setup(GetParam(), test::small_options(40000, 80, 60));
+  const auto setup = make_named(GetParam());
   setup->settings.split = 2;
   setup->settings.samples = 2;
   expect_alike(*setup);
@@ -70,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Interreflection, testing::Values("tank", "mater
 
 TEST_P(ImageAgreement, SameCommandSameBits) {
   REQUIRE_DEVICE();
-  const auto setup = test::make_setup(GetParam(), test::small_options(40000, 80, 60));
+  const auto setup = make_named(GetParam());
   std::vector<shared::PixelSample> runs[2];
   for (auto& run : runs) {
     GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
@@ -83,7 +89,7 @@ TEST_P(ImageAgreement, SameCommandSameBits) {
 // Without texel buffers, tables come from storage buffers: the same bits.
 TEST_P(ImageAgreement, StorageBuffersGiveTheSameBits) {
   REQUIRE_DEVICE();
-  const auto setup = test::make_setup(GetParam(), test::small_options(40000, 80, 60));
+  const auto setup = make_named(GetParam());
   std::vector<shared::PixelSample> runs[2];
   for (bool texel : {false, true}) {
     GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings, texel);
@@ -97,7 +103,7 @@ TEST_P(ImageAgreement, ValidationLayerIsSilent) {
   const gpu::Device device = gpu::Device::open("auto", true);
   ASSERT_TRUE(device.has_validation()) << "install vulkan-validationlayers";
   for (bool texel : {false, true}) {
-    const auto setup = test::make_setup(GetParam(), test::small_options(40000, 80, 60));
+    const auto setup = make_named(GetParam());
     GpuBackend gpu(device, setup->world, setup->settings, texel);
     test::render_pass(gpu, 0);
     test::render_pass(gpu, 1);
@@ -105,8 +111,10 @@ TEST_P(ImageAgreement, ValidationLayerIsSilent) {
   EXPECT_TRUE(device.validation_messages().empty()) << device.validation_messages().front();
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ImageAgreement, testing::Values("post", "shadow_sausage", "area_light", "beaker"),
-                         [](const auto& tested) { return std::string(tested.param); });
+INSTANTIATE_TEST_SUITE_P(Scenes, ImageAgreement,
+                         testing::Values("post", "shadow_sausage", "area_light", "beaker", "shadow_sausage-sun",
+                                         "beaker-day"),
+                         test::name_of_test);
 
 // Seen through water, or two panes and water, a pixel's light is the same by roulette, on average, and by split paths,
 // but for the noise.

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "tests/support/scene_setup.h"
+#include "tests/support/skies.h"
 
 namespace meniscal {
 namespace {
@@ -45,7 +46,8 @@ class Replay : public testing::TestWithParam<const char*> {};
 
 TEST_P(Replay, EveryPhotonEndsAlike) {
   REQUIRE_DEVICE();
-  const auto setup = test::make_setup(GetParam(), test::small_options(200000));
+  const test::NamedLight named = test::named_light(GetParam());
+  const auto setup = test::make_setup(named.file, test::small_options(200000), named.edit);
   GpuBackend gpu(gpu::Device::open("auto", true), setup->world, setup->settings);
   const reference::Tracer tracer(setup->world);
   const std::vector<PhotonEnd> ends = gpu.trace_photons(replayed_pass);
@@ -77,8 +79,9 @@ TEST_P(Replay, EveryPhotonEndsAlike) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Replay,
-                         testing::Values("post", "shadow_sausage", "sphere", "area_light", "point_light", "spot_light"),
-                         [](const auto& tested) { return std::string(tested.param); });
+                         testing::Values("post", "shadow_sausage", "sphere", "area_light", "point_light", "spot_light",
+                                         "post-sun", "post-wide_sun", "shadow_sausage-day"),
+                         test::name_of_test);
 
 }  // namespace
 }  // namespace meniscal
