@@ -17,6 +17,7 @@ struct Path {
   vec3 origin, direction;
   uint triangle;         // it starts on
   vec3 throughput;
+  float let_through;     // part of the paths that a mirror's face lets through to Lambert's surface, where this one is: it stands for all
   vec3 absorption;       // of the medium it is in, 1/m
   uvec4 media;           // dielectrics that it is inside of, where some lie in each other
   float radiance_scale;  // product of (n_beyond / n_arrival)^-2: for camera paths, not for photons
@@ -26,7 +27,7 @@ struct Path {
 
 Path start_path(vec3 origin, vec3 direction, uint triangle, vec3 throughput) {
   Differential none = Differential(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-  return Path(origin, direction, triangle, throughput, vec3(0.0), uvec4(0u), 1.0, none, none);
+  return Path(origin, direction, triangle, throughput, 1.0, vec3(0.0), uvec4(0u), 1.0, none, none);
 }
 
 void be_in(inout Path path, uvec4 media) {
@@ -51,14 +52,15 @@ void refract_differential(inout Differential d, SurfacePoint point, float turned
   d.direction1 = refract_derivative(d.direction1, turned * normal_derivative(point, d.place1), arrival, normal, eta, beyond);
 }
 
-// Whether the path meets the specular part of a surface, by roulette with `random`. A mirror's face divides the light, and with it the
-// path's throughput; `certain`: the path takes the face's part in any case.
+// Whether the path meets the specular part of a surface, by roulette with `random`. A mirror's face divides the light: see
+// Path; `certain`: the path takes the face's part in any case.
 bool meets_specular(inout Path path, SurfacePoint point, Surface surface, float random, bool certain) {
   if (!HAS_MIRROR || surface.kind != SPECULAR_MIRROR) return random < surface.specular;
   vec3 reflectance = mirror_reflectance(surface, abs(dot(path.direction, point.shading)));
   float probability = certain ? 1.0 : mirror_probability(surface, reflectance);
   bool specular = random < probability;
-  path.throughput *= specular ? reflectance / probability : vec3(1.0 / (1.0 - probability));
+  if (specular) path.throughput *= reflectance / probability;
+  path.let_through = specular ? 1.0 : 1.0 - probability;
   return specular;
 }
 

@@ -85,13 +85,15 @@ float widen(inout float reach, float image) {
   return 0.5 * min(ratio, 1.0);
 }
 
+float mean(vec3 colour) { return dot(colour, vec3(1.0 / 3.0)); }
+
 float with_map(float flux, uint map) { return uintBitsToFloat(floatBitsToUint(flux) | (map == MAP_CAUSTIC ? 0x80000000u : 0u)); }
 
 // The photon's footprint on the surface it is stored on.
 void store(uint slot, Path path, float reach, vec3 position, vec3 side, uint map) {
   float light_reach = 0.0;
   if (HAS_EXTENDED && HAS_DIFFERENTIALS) light_reach = widen(reach, spread(path.by_light));
-  vec3 alpha, beta, flux = path.throughput;
+  vec3 alpha, beta, flux = path.throughput / path.let_through;
   make_disc(path.differential, push.shrink * reach, path.by_light, push.shrink * light_reach, side, push.narrowest, push.widest, alpha, beta);
   discs[slot] = PhotonDisc(position, with_map(flux.x, map), alpha, flux.y, beta, flux.z);
   if (HAS_GLOSS) arrivals[slot] = pack_direction(path.direction);
@@ -198,7 +200,8 @@ void main() {
     point.position = asking ? point.position : path.origin;
     if (!asking && !(path.throughput.x + path.throughput.y + path.throughput.z > 0.0)) end = END_DROPPED;
   }
-  float entered = dot(path.throughput, vec3(1.0 / 3.0));
+  float entered = mean(path.throughput);
+  float by_roulette = 0.0, kept = 0.0, cut = 0.0;  // flux that roulettes added; that a surface it is stored on absorbs; that limits cut
   bool on_targets = asking;
 
   uint met = 0u;        // specular surfaces since the start, or since the last diffuse one
@@ -231,7 +234,7 @@ void main() {
                           light.irradiance * (abs(cosine) * power));
         if (HAS_DIFFERENTIALS) path.differential = start_differential(point.geometric, -light.direction, light.distance);
         if (HAS_DIFFERENTIALS && HAS_EXTENDED) path.by_light = light_differential(light.normal, light.extent, -light.direction);
-        entered = dot(path.throughput, vec3(1.0 / 3.0));
+        entered = mean(path.throughput);
         if (!(entered > 0.0)) {
           end = END_BLOCKED;
           break;
@@ -261,7 +264,7 @@ void main() {
       if (HAS_ABSORPTION && (HAS_NESTED || dot(light.direction, point.geometric) < 0.0) && light.distance < FAR) {
         if (!HAS_NESTED) path.absorption = fetch_surface(point.material).absorption;
         absorb(path, light.distance);
-        entered = dot(path.throughput, vec3(1.0 / 3.0));
+        entered = mean(path.throughput);
       }
     } else if (missed) {
       end = met + scattered == 0u && !passed && !camera ? END_DROPPED : END_ESCAPED;
@@ -271,7 +274,7 @@ void main() {
       }
     } else {
       absorb(path, hit.t);
-      if (HAS_NESTED && met + scattered == 0u && !passed) entered = dot(path.throughput, vec3(1.0 / 3.0));
+      if (HAS_NESTED && met + scattered == 0u && !passed) entered = mean(path.throughput);
       point = surface_point(hit.triangle, hit.u, hit.v);
       if (HAS_DIFFERENTIALS) transfer(path.differential, path.direction, hit.t, point.geometric);
       if (HAS_DIFFERENTIALS && HAS_EXTENDED) transfer(path.by_light, path.direction, hit.t, point.geometric);
@@ -347,11 +350,15 @@ void main() {
         end = END_DROPPED;
         break;
       }
+      vec3 normal = camera && dot(point.shading, side) > 0.0 ? point.shading : side;
+      Path next = path;
+      bounce = scatter(next, point, surface, side, normal, camera && push.gloss_only != 0u, random_unit(random, numbers + 3u),
+                       vec2(random_unit(random, numbers + 1u), random_unit(random, numbers + 2u)));
+      vec3 again = bounce.goes_on ? next.throughput : vec3(0.0);
       if (random_unit(random, numbers) >= stops) {
-        vec3 normal = camera && dot(point.shading, side) > 0.0 ? point.shading : side;
-        path.throughput /= 1.0 - stops;
-        bounce = scatter(path, point, surface, side, normal, camera && push.gloss_only != 0u, random_unit(random, numbers + 3u),
-                         vec2(random_unit(random, numbers + 1u), random_unit(random, numbers + 2u)));
+        if (stops > 0.0) by_roulette += mean(again) / (1.0 - stops) - mean(path.throughput);
+        path = next;
+        path.throughput = again / (1.0 - stops);
         if (!bounce.goes_on) {
           end = END_ABSORBED;
           break;
@@ -362,7 +369,11 @@ void main() {
         met = 0u;
         continue;
       }
+      float before = mean(path.throughput);
       path.throughput /= stops;
+      by_roulette += mean(path.throughput) - before;
+      kept = mean(path.throughput) - mean(again) / stops;
+      if (scattered == push.scatterings) cut = mean(again) / stops;
     }
     if (camera) {
       // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread to smooth edges.
@@ -372,13 +383,14 @@ void main() {
       s.normal = side;
       s.albedo = surface.albedo;
       s.triangle = point.triangle;
-      s.weight = path.throughput * path.radiance_scale * surface.albedo * 0.318309886183791;
+      vec3 arriving = path.throughput * (path.radiance_scale / path.let_through);
+      s.weight = arriving * surface.albedo * 0.318309886183791;
       if (HAS_GLOSS && is_glossy(surface)) {
         face = make_face(surface, point, side, -path.direction);
         gloss.reflects = 1u;
         gloss.normal = face.normal, gloss.outgoing = face.outgoing;
         gloss.alpha = face.alpha, gloss.f0 = face.f0, gloss.f90 = face.f90;
-        gloss.throughput = path.throughput * path.radiance_scale;
+        gloss.throughput = arriving;
       }
       asking = push.light_count > 0u;
       if (!asking) break;
@@ -408,8 +420,10 @@ void main() {
     samples[slot] = s;
     if (HAS_GLOSS) glosses[slot] = gloss;
   } else {
-    path.throughput.x = with_map(path.throughput.x, map);
-    ends[slot] = PhotonEnd(point.position, end, path.throughput, entered);
+    float left = mean(path.throughput);
+    if (end == END_CUT) cut = left;
+    if (end == END_ABSORBED) kept = left;
+    ends[slot] = PhotonEnd(path.throughput, end, entered, entered + by_roulette - left + kept, cut, map);
   }
   atomicAdd(counters[COUNTER_RAYS], rays_traced);
 }

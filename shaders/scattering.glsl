@@ -39,8 +39,9 @@ Scattering scatter(inout Path path, SurfacePoint point, Surface surface, vec3 si
     path.throughput *= weight / probability;
   } else {
     if (glossy) how.passed = passed(face, direction);
-    path.throughput *= surface.albedo * (how.passed / (1.0 - probability));
+    path.throughput *= surface.albedo * (how.passed / ((1.0 - probability) * path.let_through));
   }
+  path.let_through = 1.0;
   path.direction = direction;
   path.origin = leave(point.position, side);
   path.triangle = point.triangle;

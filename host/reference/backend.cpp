@@ -88,8 +88,7 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
   const std::vector<Photon> caustics = photons(pass, false), global = photons(pass, true);
   for (const std::vector<Photon>* started : {&caustics, &global})
     for (const Photon& p : *started)
-      tallies[p.map].count(mean_of(p.entered), mean_of(p.flux), p.end,
-                           [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
+      tallies[p.map].count(p.fate(), [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
 
   const PhotonMap caustics_map(caustics, pass_discs(settings_.caustics.discs, pass).widest);
   const PhotonMap global_map(global, pass_discs(settings_.global.discs, pass).widest);

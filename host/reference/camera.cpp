@@ -162,7 +162,7 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
     const Direct direct =
         ask_lights(tracer, point, path.absorption,
                    settings.bounces_gloss && !bounced ? std::optional(bounced_lobes(settings)) : std::nullopt, key);
-    const glm::dvec3 arriving = path.throughput * path.radiance_scale;
+    const glm::dvec3 arriving = path.throughput * (path.radiance_scale / path.let_through);
     sample.position = glm::vec3(hit->point + shift);
     sample.normal = glm::vec3(point.side);
     sample.albedo = surface.albedo;

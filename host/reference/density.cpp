@@ -52,7 +52,7 @@ std::array<Density, shared::MAPS> PhotonMap::estimate(const glm::dvec3& position
       continue;
     Density& density = densities[p->map];
     const glm::dvec3 irradiance =
-        p->flux * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) * glm::length(facing));
+        p->flux * (1 / p->let_through) * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) * glm::length(facing));
     density.irradiance += irradiance;
     if (face) density.beyond_lambert += irradiance * beyond_lambert(*face, albedo, -p->arrival, lobe_part);
     ++density.photons;

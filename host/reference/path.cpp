@@ -80,7 +80,8 @@ bool meets_specular(Path& path, const Hit& hit, const shared::Surface& surface, 
   const glm::dvec3 reflectance(shared::mirror_reflectance(surface, static_cast<float>(cosine)));
   const double probability = certain ? 1 : double(shared::mirror_probability(surface, glm::vec3(reflectance)));
   const bool specular = random < probability;
-  path.throughput *= specular ? reflectance / probability : glm::dvec3(1 / (1 - probability));
+  if (specular) path.throughput *= reflectance / probability;
+  path.let_through = specular ? 1 : 1 - probability;
   return specular;
 }
 

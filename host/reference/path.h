@@ -21,6 +21,9 @@ struct Path {
   Ray ray;
   std::uint32_t triangle = no_triangle;  // it starts on
   glm::dvec3 throughput{1};
+  // Part of the paths that a mirror's face lets through to Lambert's surface, where this one is: it stands for the
+  // others, too, which the face has reflected. What they lose by its reflection, `passed` tells.
+  double let_through = 1;
   Media media{};
   glm::dvec3 absorption{0};     // of the medium it is in, 1/m
   double radiance_scale = 1;    // product of (n_beyond / n_arrival)^-2: for radiance, not for flux
@@ -36,8 +39,8 @@ void be_in(Path& path, const World& world, Media media);
 // the path goes straight on; else it is a specular surface.
 bool pass_straight(Path& path, const Hit& hit, const Tracer& tracer);
 
-// Whether the path meets the specular part of `surface`, by roulette with `random`. A mirror's face divides the light,
-// and with it the path's throughput; `certain`: the path takes the face's part in any case.
+// Whether the path meets the specular part of `surface`, by roulette with `random`. A mirror's face divides the light:
+// see Path::let_through; `certain`: the path takes the face's part in any case.
 bool meets_specular(Path& path, const Hit& hit, const shared::Surface& surface, double random, bool certain = false);
 
 // Sends the path on from `hit` on the specular part of `surface`: mirror, Fresnel reflection or refraction by roulette

@@ -62,7 +62,7 @@ CameraSample trace_whole_path(const Tracer& tracer, const RenderSettings& settin
     }
     if (scattered > settings.diffuse_bounces) break;  // the last one looked for caustics only
     const DiffusePoint point(world, *hit, surface, path.ray.direction);
-    const glm::dvec3 throughput = path.throughput * path.radiance_scale;
+    const glm::dvec3 throughput = path.throughput * (path.radiance_scale / path.let_through);
     const glm::dvec3 weight = throughput * glm::dvec3(surface.albedo) * glm::one_over_pi<double>();
     const Direct direct = ask_lights(tracer, point, path.absorption, Lobes::both, key);
     if (scattered == 0) {

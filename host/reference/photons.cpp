@@ -154,16 +154,22 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
   };
 
   auto [path, hit, map, end] = start_photon(tracer, *beam, key, perturbation.start);
-  Photon photon{global ? shared::MAP_GLOBAL : map, hit.point, {}, glm::dvec3(0), path.throughput, path.throughput, end};
+  Photon photon{
+      global ? shared::MAP_GLOBAL : map, hit.point, {}, glm::dvec3(0), path.throughput, path.throughput, 1, end};
   std::uint32_t dimension = shared::DIM_FIRST_BOUNCE;
   std::uint32_t met = 0, scattered = 0;  // specular surfaces since the start or the last diffuse one; diffuse ones
+  const auto absorb_in = [&](const auto& event) {
+    const glm::dvec3 before = path.throughput;
+    event();
+    photon.absorbed += before - path.throughput;
+  };
   const auto go_on = [&] {
     const auto next = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!next) {
       photon.end = shared::END_ESCAPED;
       return;
     }
-    absorb(path, next->t);
+    absorb_in([&] { absorb(path, next->t); });
     for (Differential* d : {&path.differential, &path.by_light})
       transfer(*d, path.ray.direction, next->t, world.triangles[next->triangle].geometric);
     hit = *next;
@@ -197,11 +203,18 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
     }
     if (specular) {
       if (met++ == settings.specular_bounces) break;
-      scatter_specular(path, hit, surface, tracer, choice, facet);
+      absorb_in([&] { scatter_specular(path, hit, surface, tracer, choice, facet); });
     } else {
       const DiffusePoint point(world, hit, surface, path.ray.direction);
+      Path next = path;
+      const Scattering how = scatter(tracer, next, point, point.side, Lobes::both, decide(numbers + 3),
+                                     {decide(numbers + 1), decide(numbers + 2)});
+      const glm::dvec3 again = how.goes_on ? next.throughput : glm::dvec3(0);
       if (decide(numbers) < stops) {
         path.throughput /= stops;
+        // Of light that others of the map's photons, where there are more bounces, take further.
+        if (global) photon.absorbed += path.throughput - again / stops;
+        if (global && scattered == set.scatterings) photon.cut = again / stops;
         const Discs discs = pass_discs(set.discs, pass);
         const Reach reach = disc_reach(double(beam->reach), spread(path.by_light));
         photon.disc = make_footprint(
@@ -212,10 +225,11 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
         photon.end = hit.triangle;
         break;
       }
-      path.throughput /= 1 - stops;
-      if (!scatter(tracer, path, point, point.side, Lobes::both, decide(numbers + 3),
-                   {decide(numbers + 1), decide(numbers + 2)})
-               .goes_on) {
+      // Where photons are stored, too, those tell what is absorbed.
+      if (stops == 0) photon.absorbed += path.throughput - again;
+      path = next;
+      path.throughput = again / (1 - stops);
+      if (!how.goes_on) {
         photon.end = shared::END_ABSORBED;
         break;
       }
@@ -225,6 +239,8 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
     go_on();
   }
   photon.flux = path.throughput;
+  photon.let_through = path.let_through;
+  if (photon.end == shared::END_CUT) photon.cut = photon.flux;
   return photon;
 }
 

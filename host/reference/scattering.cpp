@@ -38,9 +38,10 @@ Scattering scatter(const Tracer& tracer, Path& path, const DiffusePoint& point, 
   } else {
     direction = around(normal, std::sqrt(place.x), std::sqrt(1 - place.x), place.y);
     if (point.glossy) how.passed = passed(point.face, direction);
-    path.throughput *= glm::dvec3(point.surface.albedo) * (how.passed / (1 - probability));
+    path.throughput *= glm::dvec3(point.surface.albedo) * (how.passed / (1 - probability) / path.let_through);
   }
   how.goes_on = glm::dot(direction, point.side) > 0 && path.throughput != glm::dvec3(0);
+  path.let_through = 1;
   path.ray = {tracer.leave(point.hit.point, point.side), direction};
   path.triangle = point.hit.triangle;
   path.differential = path.by_light = {};

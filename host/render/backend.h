@@ -12,34 +12,47 @@
 
 namespace meniscal {
 
-// How the photons of one map ended in one or more passes. Fluxes are means over the colour channels.
+// What became of one photon: its flux as it met its target and as it ended, what of it was absorbed, and what the
+// limits on bounces cut. Means over the colour channels.
+struct Fate {
+  double entered, flux, absorbed, cut;
+  std::uint32_t end;  // triangle, or shared::END_*
+};
+
+// How the photons of one map ended in one or more passes. Of the targeted and the caustic map's light
+//   flux_in = flux_escaped + flux_cut + flux_absorbed + the sum of flux_landed,
+// photon by photon. Of the global map's, which lands time and again,
+//   flux_in = flux_escaped + flux_cut + flux_absorbed
+// on average: a photon that is stored tells what its surface absorbs, one that goes on what it gives back.
 struct Tally {
   std::uint64_t started = 0, kept = 0, visible = 0, stored = 0;  // kept: met a target
-  double flux_in = 0, flux_escaped = 0, flux_cut = 0;
+  double flux_in = 0, flux_escaped = 0, flux_cut = 0, flux_absorbed = 0;
+  double flux_dropped = 0;          // direct light, another map's, or what met nothing
   std::vector<double> flux_landed;  // by material
 
-  // One photon: flux as it met its target, flux and end as it ended. `material`: uint32_t triangle -> material.
+  // `material`: uint32_t triangle -> material.
   template <class MaterialOf>
-  void count(double entered, double flux, std::uint32_t end, const MaterialOf& material_of) {
+  void count(const Fate& photon, const MaterialOf& material_of) {
     ++started;
-    if (end == shared::END_DROPPED) return;
-    ++kept;
-    if (end == shared::END_BLOCKED) return;
-    ++visible;
-    flux_in += entered;
-    if (end == shared::END_ABSORBED) return;
-    if (end == shared::END_ESCAPED)
-      flux_escaped += flux;
-    else if (end == shared::END_CUT)
-      flux_cut += flux;
-    else {
-      ++stored;
-      flux_landed[material_of(end)] += flux;
+    if (photon.end == shared::END_DROPPED) {
+      flux_dropped += photon.entered;
+      return;
     }
+    ++kept;
+    if (photon.end == shared::END_BLOCKED) return;
+    ++visible;
+    flux_in += photon.entered;
+    flux_absorbed += photon.absorbed;
+    flux_cut += photon.cut;
+    if (photon.end == shared::END_ESCAPED) flux_escaped += photon.flux;
+    if (photon.end >= shared::END_FIRST) return;
+    ++stored;
+    flux_landed[material_of(photon.end)] += photon.flux;
   }
   void add(const Tally& other) {
     started += other.started, kept += other.kept, visible += other.visible, stored += other.stored;
     flux_in += other.flux_in, flux_escaped += other.flux_escaped, flux_cut += other.flux_cut;
+    flux_absorbed += other.flux_absorbed, flux_dropped += other.flux_dropped;
     flux_landed.resize(other.flux_landed.size());
     for (std::size_t i = 0; i < flux_landed.size(); ++i) flux_landed[i] += other.flux_landed[i];
   }
@@ -100,7 +113,7 @@ using TakeSamples = std::function<void(const Samples&, const View&)>;
 // The end of a started photon.
 struct PhotonEnd {
   std::uint32_t map, end;
-  glm::dvec3 position, flux;
+  glm::dvec3 position, flux;  // position: of a stored one
 };
 
 class Backend {

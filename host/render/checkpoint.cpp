@@ -98,7 +98,7 @@ void exchange(Archive& archive, Checkpoint& checkpoint, Film& film) {
   archive(checkpoint.seconds);
   for (Tally& t : checkpoint.tallies) {
     for (std::uint64_t* number : {&t.started, &t.kept, &t.visible, &t.stored}) archive(*number);
-    for (double* flux : {&t.flux_in, &t.flux_escaped, &t.flux_cut}) archive(*flux);
+    for (double* flux : {&t.flux_in, &t.flux_escaped, &t.flux_cut, &t.flux_absorbed, &t.flux_dropped}) archive(*flux);
     archive(t.flux_landed);
   }
   film.exchange(archive);

@@ -140,18 +140,20 @@ struct GpuBackend::Passes {
     std::vector<PhotonEnd> ends;
     ends.reserve(count);
     for (const shared::PhotonEnd& e : map.photons.ends.download<shared::PhotonEnd>(0, count))
-      ends.push_back({map_of(map, e), e.end, glm::dvec3(e.position), glm::abs(glm::dvec3(e.flux))});
+      ends.push_back({map_of(map, e), e.end, glm::dvec3(0), glm::dvec3(e.flux)});
+    const auto discs = map.photons.discs.download<shared::PhotonDisc>(0, count);
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (ends[i].end < shared::END_FIRST) ends[i].position = discs[i].position;
     return ends;
   }
 
-  std::uint32_t map_of(const Map& map, const shared::PhotonEnd& e) const {
-    if (map.global) return shared::MAP_GLOBAL;
-    return std::signbit(e.flux.x) ? shared::MAP_CAUSTIC : shared::MAP_TARGETED;
+  static std::uint32_t map_of(const Map& map, const shared::PhotonEnd& e) {
+    return map.global ? shared::MAP_GLOBAL : e.map;
   }
 
   void tally(const Map& map, Tallies& tallies, std::uint32_t count) const {
     for (const shared::PhotonEnd& p : map.photons.ends.download<shared::PhotonEnd>(0, count))
-      tallies[map_of(map, p)].count(double(p.entered), mean_of(glm::abs(p.flux)), p.end,
+      tallies[map_of(map, p)].count({double(p.entered), mean_of(p.flux), double(p.absorbed), double(p.cut), p.end},
                                     [&](std::uint32_t triangle) { return world.triangles[triangle].material; });
   }
 };

@@ -56,7 +56,9 @@ Json tally_json(const World& world, const Tally& t, std::uint32_t passes) {
           {"flux_in", t.flux_in * scale},
           {"flux_landed", landed},
           {"flux_escaped", t.flux_escaped * scale},
-          {"flux_cut", t.flux_cut * scale}};
+          {"flux_cut", t.flux_cut * scale},
+          {"flux_absorbed", t.flux_absorbed * scale},
+          {"flux_dropped", t.flux_dropped * scale}};
 }
 
 Json photons_json(const World& world, const RunStatistics& run, std::uint32_t passes) {

@@ -97,10 +97,12 @@ struct Beam {
 
 // Two streams of one slot per started photon: where it went, and what the gather reads of it, three texels of 16 bytes.
 struct PhotonEnd {
-  vec3 position;  // where it was stored
-  uint end;       // triangle it was stored on, or END_*
-  vec3 flux;      // W, or lm in photometric scenes; the sign bit of red: MAP_CAUSTIC, not MAP_TARGETED
-  float entered;  // flux as it met its target, mean over the channels
+  vec3 flux;       // W, or lm in photometric scenes
+  uint end;        // triangle it was stored on, or END_*
+  float entered;   // flux as it met its target; here and below means over the channels
+  float absorbed;  // of that
+  float cut;       // of that, by the limits on bounces
+  uint map;        // MAP_*; of the global map's, that of the beam
 };
 // Its footprint where it was stored: q2 = (alpha x)^2 + (beta x)^2 of an offset x from its position is below 1 inside
 // an elliptic disc of area pi / |alpha x beta|. alpha x beta points to the side of arrival.

@@ -14,7 +14,7 @@ void main() {
   // The second element, so that the stride counts too.
   surfaces[1] = Surface(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16u, 17u, 18u, 19, 20u, vec3(21, 22, 23), 24);
   lights[1] = Light(vec3(1, 2, 3), 4u, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16, vec3(17, 18, 19), 20u, 21, 22, 23, 24, uvec4(25, 26, 27, 28));
-  ends[1] = PhotonEnd(vec3(1, 2, 3), 4u, vec3(5, 6, 7), 8);
+  ends[1] = PhotonEnd(vec3(1, 2, 3), 4u, 5, 6, 7, 8u);
   discs[1] = PhotonDisc(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12);
   samples[1] = PixelSample(vec3(1, 2, 3), 4, vec3(5, 6, 7), 8, vec3(9, 10, 11), 12u, vec3(13, 14, 15), 16, vec3(17, 18, 19), 20,
                            vec3(21, 22, 23), 24, vec3(25, 26, 27), 28, vec3(29, 30, 31), 32, vec3(33, 34, 35), 36);

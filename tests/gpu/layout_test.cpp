@@ -55,10 +55,12 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   EXPECT_EQ(light.cone_versine, 22);
   EXPECT_EQ(light.media, glm::uvec4(25, 26, 27, 28));
   const auto end = ends.download<shared::PhotonEnd>()[1];
-  EXPECT_EQ(end.position, vec3(1, 2, 3));
+  EXPECT_EQ(end.flux, vec3(1, 2, 3));
   EXPECT_EQ(end.end, 4u);
-  EXPECT_EQ(end.flux, vec3(5, 6, 7));
-  EXPECT_EQ(end.entered, 8);
+  EXPECT_EQ(end.entered, 5);
+  EXPECT_EQ(end.absorbed, 6);
+  EXPECT_EQ(end.cut, 7);
+  EXPECT_EQ(end.map, 8u);
   const auto disc = discs.download<shared::PhotonDisc>()[1];
   EXPECT_EQ(disc.position, vec3(1, 2, 3));
   EXPECT_EQ(disc.flux_r, 4);
