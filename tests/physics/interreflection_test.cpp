@@ -54,9 +54,9 @@ struct Answer {
   const char* scene;
   std::uint32_t diffuse_bounces;  // lobes that are followed go one further: there, enough that it counts for nothing
 };
-class OneAnswer : public testing::TestWithParam<Answer> {};
+class Interreflection : public testing::TestWithParam<Answer> {};
 
-TEST_P(OneAnswer, OfPhotonsAndPaths) {
+TEST_P(Interreflection, OfPhotonsAndPaths) {
   REQUIRE_DEVICE();
   RenderOptions options = test::small_options(200000, 48, 36);
   options.diffuse_bounces = GetParam().diffuse_bounces;
@@ -82,7 +82,7 @@ TEST_P(OneAnswer, OfPhotonsAndPaths) {
   EXPECT_NEAR(ordinary, path, 0.02 * path);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, OneAnswer, testing::Values(Answer{"tank", 2}, Answer{"materials", 8}),
+INSTANTIATE_TEST_SUITE_P(Scenes, Interreflection, testing::Values(Answer{"tank", 2}, Answer{"materials", 8}),
                          [](const auto& tested) { return std::string(tested.param.scene); });
 
 }  // namespace

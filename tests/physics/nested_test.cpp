@@ -5,46 +5,13 @@
 #include <numeric>
 
 #include "host/world/media.h"
+#include "tests/support/scene_objects.h"
 #include "tests/support/scene_setup.h"
 
 namespace meniscal {
 namespace {
 
 constexpr double mm = 1e-3, water_ior = 1.333, glass_ior = 1.5, absorption = 20;
-
-Object make_box(const std::string& name, int material, const glm::dvec3& low, const glm::dvec3& high) {
-  Object box;
-  box.name = name;
-  box.closed = true;
-  box.material = material;
-  for (int face = 0; face < 6; ++face) {
-    const int axis = face / 2, side = face % 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const auto first = static_cast<std::uint32_t>(box.mesh.positions.size());
-    for (const auto& [cu, cv] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
-      glm::dvec3 p, n(0);
-      p[axis] = (side ? high : low)[axis], p[u] = (cu ? high : low)[u], p[v] = (cv ? high : low)[v];
-      n[axis] = side ? 1 : -1;
-      box.mesh.positions.push_back(p);
-      box.mesh.normals.push_back(n);
-    }
-    const std::uint32_t b = first + (side ? 1 : 2), c = first + (side ? 2 : 1), d = first + 3;
-    box.mesh.triangles.emplace_back(first, b, c);
-    if (side)
-      box.mesh.triangles.emplace_back(first, c, d);
-    else
-      box.mesh.triangles.emplace_back(first, d, b);
-  }
-  return box;
-}
-
-Material make_clear(const std::string& name, double ior) {
-  Material material;
-  material.name = name;
-  material.metallic = material.roughness = 0;
-  material.transmission = 1;
-  material.ior = ior;
-  return material;
-}
 
 // A plate of glass (20 to 24 mm, if `lid`), water (11 to 21 mm) and a plate of glass (8 to 12 mm) over the floor at
 // -50 mm: water reaches 1 mm into the plates.
@@ -59,14 +26,14 @@ std::unique_ptr<test::Setup> make_slabs(const RenderOptions& options, bool lid,
     const auto water = static_cast<int>(std::find_if(scene.materials.begin(), scene.materials.end(),
                                                      [](const Material& m) { return m.liquid.has_value(); }) -
                                         scene.materials.begin());
-    Material glass = make_clear("glass", glass_ior);
+    Material glass = test::make_clear("glass", glass_ior);
     glass.meniscus_ignore = true;
     scene.materials.push_back(glass);
     const int last = static_cast<int>(scene.materials.size()) - 1;
     const double half = 20 * mm;
-    scene.objects.push_back(make_box("water", water, {-half, 11 * mm, -half}, {half, 21 * mm, half}));
-    scene.objects.push_back(make_box("plate", last, {-half, 8 * mm, -half}, {half, 12 * mm, half}));
-    if (lid) scene.objects.push_back(make_box("lid", last, {-half, 20 * mm, -half}, {half, 24 * mm, half}));
+    scene.objects.push_back(test::make_box("water", water, {-half, 11 * mm, -half}, {half, 21 * mm, half}));
+    scene.objects.push_back(test::make_box("plate", last, {-half, 8 * mm, -half}, {half, 12 * mm, half}));
+    if (lid) scene.objects.push_back(test::make_box("lid", last, {-half, 20 * mm, -half}, {half, 24 * mm, half}));
     if (edit) edit(scene);
   });
 }
@@ -180,11 +147,11 @@ std::unique_ptr<test::Setup> make_block(const RenderOptions& options, double cen
     for (Object& o : scene.objects)
       for (glm::dvec3& p : o.mesh.positions) p += scene.origin;
     scene.origin = glm::dvec3(0);
-    Material like_water = make_clear("like water", water_ior);
+    Material like_water = test::make_clear("like water", water_ior);
     like_water.contact_angle = angle;
     scene.materials.push_back(like_water);
-    scene.objects.push_back(make_box("block", static_cast<int>(scene.materials.size()) - 1,
-                                     {centre - half, -40 * mm, -0.7 * half}, {centre + half, 10 * mm, half}));
+    scene.objects.push_back(test::make_box("block", static_cast<int>(scene.materials.size()) - 1,
+                                           {centre - half, -40 * mm, -0.7 * half}, {centre + half, 10 * mm, half}));
     if (edit) edit(scene);
   });
 }
