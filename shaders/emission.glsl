@@ -27,6 +27,7 @@ Emission emit(vec2 place, uint light_first, uint light_count, RandomKey key) {
     e.direction = around(side, sqrt(place.x), sqrt(1.0 - place.x), place.y);
     e.origin = leave(light.position + (1.0 - root) * light.edge1 + v * light.edge2, side);
     e.flux *= 3.141592653589793 * light.area * (light.double_sided != 0u ? 2.0 : 1.0);
+    e.flux *= emitted_part(light.triangle, vec2(1.0 - root, v));
     e.triangle = light.triangle;
   } else {
     float most = light.type == LIGHT_SPOT ? light.cone_versine : 2.0, versine = most * place.x;

@@ -24,6 +24,7 @@ LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
     float cosine = -dot(s.direction, light.direction);
     if (light.double_sided != 0u) cosine = abs(cosine);
     s.irradiance *= max(cosine, 0.0) * light.area / (s.distance * s.distance);
+    s.irradiance *= emitted_part(light.triangle, vec2(1.0 - root, v));
     s.triangle = light.triangle;
     s.extent = sqrt(light.area * weight) / s.distance;
   } else if (HAS_LOCAL && (light.type == LIGHT_POINT || light.type == LIGHT_SPOT)) {

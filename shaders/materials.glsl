@@ -1,6 +1,9 @@
 // Surfaces at a point.
-#include "scene.glsl"
-#include "shared/material.h"
+#include "textures.glsl"
 
 // What the surface is there; `point.shading` as its textures bend it.
-Surface shade(inout SurfacePoint point) { return fetch_surface(point.material); }
+Surface shade(inout SurfacePoint point) {
+  Surface s = fetch_surface(point.material);
+  if (TEXTURES != 0u && s.textures != 0u) s = with_textures(s, point);
+  return s;
+}

@@ -170,6 +170,8 @@ Hit intersect(vec3 origin, vec3 direction, float t_max, uint skip, bool any_hit)
 // A place on a triangle, with what shading and differentials ask of it.
 struct SurfacePoint {
   uint triangle, material, meniscus;
+  uint coordinates;          // of textures: where its three begin; 0: none
+  vec2 weights;              // barycentric, of the second and third corner
   vec3 position, geometric, shading;
   vec3 ab, ac;               // edges
   vec3 normal_ab, normal_ac; // differences of the corners' shading normals along them
@@ -178,7 +180,7 @@ struct SurfacePoint {
 
 SurfacePoint surface_point(uint triangle, float u, float v) {
   uint record = 4u * (TRIANGLE_BASE + triangle);
-  uvec4 a = FETCH(scene, record), b = FETCH(scene, record + 1u);
+  uvec4 a = FETCH(scene, record), b = FETCH(scene, record + 1u), d = FETCH(scene, record + 3u);
   vec3 corner = uintBitsToFloat(a.xyz);
   SurfacePoint s;
   s.triangle = triangle;
@@ -186,7 +188,9 @@ SurfacePoint surface_point(uint triangle, float u, float v) {
   s.meniscus = b.w;
   s.ab = uintBitsToFloat(b.xyz) - corner;
   s.ac = uintBitsToFloat(FETCH(scene, record + 2u).xyz) - corner;
-  s.geometric = uintBitsToFloat(FETCH(scene, record + 3u).xyz);
+  s.coordinates = d.w;
+  s.weights = vec2(u, v);
+  s.geometric = uintBitsToFloat(d.xyz);
   s.position = corner + u * s.ab + v * s.ac;
   vec3 normal = uintBitsToFloat(FETCH(normals, 3u * triangle).xyz);
   s.normal_ab = uintBitsToFloat(FETCH(normals, 3u * triangle + 1u).xyz) - normal;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "host/cli/commands.h"
 #include "host/cli/render_options.h"
@@ -102,6 +103,16 @@ Json lights_of(const Scene& scene) {
   return list;
 }
 
+// Images that materials read, each once.
+Json textures_of(const World& world) {
+  std::set<const TextureImage*> images;
+  for (const Texture& texture : world.textures) images.insert(texture.image.get());
+  std::size_t words = 0;
+  for (const TextureImage* image : images) words += image->words.size();
+  return {
+      {"count", world.textures.size()}, {"images", images.size()}, {"megabytes", 4e-6 * static_cast<double>(words)}};
+}
+
 Json cameras_of(const Scene& scene) {
   Json list = Json::array();
   for (const Camera& c : scene.cameras)
@@ -133,6 +144,7 @@ Json describe(const Scene& scene, const World& world) {
           {"objects", objects_of(scene)},
           {"materials", materials},
           {"lights", lights_of(scene)},
+          {"textures", textures_of(world)},
           {"cameras", cameras_of(scene)},
           {"menisci", contacts_json(world)},
           {"plan", plan_of(scene, world)},
@@ -182,6 +194,9 @@ std::string as_text(const Json& scene) {
                         o["closed"].get<bool>() ? "closed" : "open", o["material"].get<std::string>());
   text += "materials\n";
   for (const Json& m : scene["materials"]) text += describe_material(m);
+  if (const Json& t = scene["textures"]; t["count"].get<int>() > 0)
+    text += fmt::format("textures: {} of {} images, {:.3g} MB\n", t["count"].get<int>(), t["images"].get<int>(),
+                        t["megabytes"].get<double>());
   text += "lights\n";
   for (const Json& l : scene["lights"])
     text += fmt::format("  {:<24} {}\n", l["name"].get<std::string>(), l["type"].get<std::string>());

@@ -46,6 +46,7 @@ const char* media_type(std::string_view image) {
 
 void take_in_images(Document& document, const tinygltf::Model& model) {
   for (std::size_t i = 0; i < model.images.size(); ++i) {
+    if (model.images[i].uri.empty()) continue;  // in a buffer, or in the text
     const std::vector<unsigned char>& file = model.images[i].image;
     const char* type = media_type({reinterpret_cast<const char*>(file.data()), file.size()});
     if (type == nullptr) continue;

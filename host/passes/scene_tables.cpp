@@ -16,7 +16,7 @@ Texel pack(const glm::dvec3& v, std::uint32_t w) {
   return {std::bit_cast<std::uint32_t>(f.x), std::bit_cast<std::uint32_t>(f.y), std::bit_cast<std::uint32_t>(f.z), w};
 }
 
-std::vector<Texel> scene_texels(const World& world) {
+std::vector<Texel> scene_texels(const World& world, const TextureTables& textures) {
   std::vector<Texel> texels(4 * (world.bvh.nodes.size() + world.triangles.size()));
   static_assert(sizeof(shared::BvhNode) == 4 * sizeof(Texel));
   std::memcpy(texels.data(), world.bvh.nodes.data(), world.bvh.nodes.size() * sizeof(shared::BvhNode));
@@ -25,7 +25,8 @@ std::vector<Texel> scene_texels(const World& world) {
     record[0] = pack(t.corner[0], t.material);
     record[1] = pack(t.corner[1], t.meniscus ? 1 : 0);
     record[2] = pack(t.corner[2], t.light);
-    record[3] = pack(t.geometric, 0);  // computed in double: float corners of a small triangle would tilt it by degrees
+    record[3] = pack(t.geometric, textures.coordinates(t.coordinates));  // the normal computed in double: float corners
+                                                                         // of a small triangle would tilt it by degrees
     record += 4;
   }
   return texels;
@@ -81,7 +82,8 @@ std::vector<std::uint32_t> sky_constants_of(const World& world) {
 }  // namespace
 
 SceneTables::SceneTables(const gpu::Device& device, const World& world, std::size_t largest_table, bool allow_texel)
-    : scene(upload(device, "scene", scene_texels(world))),
+    : textures(device, world),
+      scene(upload(device, "scene", scene_texels(world, textures))),
       normals(upload(device, "normals", normal_texels(world))),
       surfaces(upload(device, "surfaces", world.surfaces)),
       lights(upload(device, "lights", world.lights)),
@@ -91,10 +93,11 @@ SceneTables::SceneTables(const gpu::Device& device, const World& world, std::siz
       counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
       scene_constants(constants_of(world)),
       sky_constants(sky_constants_of(world)),
-      texel(allow_texel && device.choices().reads_texels(
-                               std::max({largest_table, scene.bytes() / sizeof(Texel), lights.bytes() / sizeof(Texel),
-                                         cdf.bytes() / sizeof(Texel), environment.bytes() / sizeof(Texel),
-                                         surfaces.bytes() / sizeof(Texel)}))) {}
+      texel(allow_texel &&
+            device.choices().reads_texels(std::max(
+                {largest_table, scene.bytes() / sizeof(Texel), lights.bytes() / sizeof(Texel),
+                 cdf.bytes() / sizeof(Texel), environment.bytes() / sizeof(Texel), surfaces.bytes() / sizeof(Texel),
+                 textures.textures.bytes() / sizeof(Texel), textures.images.bytes() / 4}))) {}
 
 void SceneTables::collect_counters() {
   const auto now = counters.download<std::uint32_t>();
@@ -108,13 +111,22 @@ std::vector<std::uint32_t> SceneTables::constants(const PathFeatures& features) 
                              features.gloss, features.rough})
     constants.push_back(feature);
   constants.insert(constants.end(), sky_constants.begin(), sky_constants.end());
+  constants.push_back(textures.kinds);
   return constants;
 }
 
 std::vector<gpu::Binding> SceneTables::layout() const {
   const gpu::Kind table = texel ? gpu::Kind::texel : gpu::Kind::storage;
-  return {{BIND_SCENE, table}, {BIND_NORMALS, table}, {BIND_SURFACES, table},    {BIND_LIGHTS, table},
-          {BIND_CDF, table},   {BIND_TARGETS, table}, {BIND_ENVIRONMENT, table}, {BIND_COUNTERS, gpu::Kind::storage}};
+  return {{BIND_SCENE, table},
+          {BIND_NORMALS, table},
+          {BIND_SURFACES, table},
+          {BIND_LIGHTS, table},
+          {BIND_CDF, table},
+          {BIND_TARGETS, table},
+          {BIND_COUNTERS, gpu::Kind::storage},
+          {BIND_ENVIRONMENT, table},
+          {BIND_TEXTURES, table},
+          {BIND_IMAGES, table}};
 }
 
 std::vector<gpu::Bound> SceneTables::bound() const {
@@ -124,8 +136,10 @@ std::vector<gpu::Bound> SceneTables::bound() const {
           {BIND_LIGHTS, lights, gpu::Format::rgba32ui},
           {BIND_CDF, cdf, gpu::Format::rgba32ui},
           {BIND_TARGETS, targets, gpu::Format::rgba32ui},
+          {BIND_COUNTERS, counters},
           {BIND_ENVIRONMENT, environment, gpu::Format::rgba32ui},
-          {BIND_COUNTERS, counters}};
+          {BIND_TEXTURES, textures.textures, gpu::Format::rgba32ui},
+          {BIND_IMAGES, textures.images, gpu::Format::r32ui}};
 }
 
 }  // namespace meniscal::passes

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/gpu/commands.h"
+#include "host/passes/texture_tables.h"
 #include "host/world/world.h"
 
 namespace meniscal::passes {
@@ -17,9 +18,10 @@ struct PathFeatures {
 };
 
 struct SceneTables {
+  TextureTables textures;
   gpu::Buffer scene, normals, surfaces, lights, cdf, targets, environment, counters;
   // Specialisation constants of scene.glsl in order of their ids, without those of PathFeatures; the latter stand
-  // between the two.
+  // between the two, and the textures' comes last.
   std::vector<std::uint32_t> scene_constants, sky_constants;
   bool texel;  // tables are read through texel buffers: how shaders are to be compiled
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "host/reference/materials.h"
 #include "host/reference/sky.h"
 
 namespace meniscal::reference {
@@ -33,9 +34,9 @@ Emission emit(const Tracer& tracer, const glm::dvec2& place, const shared::Rando
     const bool back = light.double_sided && shared::random_unit(key, shared::DIM_LIGHT_SIDE) < 0.5f;
     const glm::dvec3 side = back ? -axis : axis;
     e.ray.direction = around(side, std::sqrt(place.x), std::sqrt(1 - place.x), place.y);
-    e.ray.origin =
-        tracer.leave(e.ray.origin + (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2), side);
-    e.flux *= pi * double(light.area) * (light.double_sided ? 2 : 1);
+    const glm::dvec3 on_light = e.ray.origin + (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2);
+    e.ray.origin = tracer.leave(on_light, side);
+    e.flux *= pi * double(light.area) * (light.double_sided ? 2 : 1) * emitted_part(world, light.triangle, on_light);
     e.triangle = light.triangle;
   } else {
     const bool spot = light.type == shared::LIGHT_SPOT;

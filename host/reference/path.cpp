@@ -198,7 +198,8 @@ LightSample sample_light(const World& world, std::uint32_t index, double weight,
   s.irradiance /= s.distance * s.distance;
   const double cosine = -glm::dot(s.direction, axis);
   if (light.type == shared::LIGHT_AREA) {
-    s.irradiance *= double(light.area) * (light.double_sided ? std::abs(cosine) : std::max(cosine, 0.0));
+    s.irradiance *= emitted_part(world, light.triangle, on_light) * double(light.area) *
+                    (light.double_sided ? std::abs(cosine) : std::max(cosine, 0.0));
     s.extent = std::sqrt(double(light.area) * weight) / s.distance;
   }
   if (light.type == shared::LIGHT_SPOT) {

@@ -64,6 +64,7 @@ Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uve
       {"nested dielectrics", !nested.empty(), nested.empty() ? "no two transparent volumes overlap" : nested});
   plan.push_back(counted("thin sheets", count_surfaces(world, shared::SPECULAR_THIN), "thin-walled materials"));
   plan.push_back(counted("mirrors", count_surfaces(world, shared::SPECULAR_MIRROR), "smooth metals"));
+  plan.push_back(counted("textures", world.textures.size(), "textures"));
   plan.push_back(counted("absorption",
                          std::count_if(world.surfaces.begin(), world.surfaces.end(),
                                        [](const auto& s) { return s.absorption != glm::vec3(0); }),

@@ -134,6 +134,26 @@ std::vector<glm::dvec3> read_vec3(const tinygltf::Model& model, int index, Attri
   return result;
 }
 
+std::vector<glm::dvec2> read_coordinates(const tinygltf::Model& model, int index, bool quantized,
+                                         const Messages& messages) {
+  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
+  const std::string object = label("accessor", accessor.name, static_cast<std::size_t>(index));
+  const int type = accessor.componentType;
+  const bool is_unsigned =
+      type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  const bool allowed = type == TINYGLTF_COMPONENT_TYPE_FLOAT || (is_unsigned && accessor.normalized) ||
+                       (quantized && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+  if (accessor.type != TINYGLTF_TYPE_VEC2 || !allowed)
+    messages.fail(object, fmt::format("has component type {}, which texture coordinates cannot have", type),
+                  "give VEC2 of floats (5126) or normalized 5121 or 5123; other integers with KHR_mesh_quantization in "
+                  "extensionsRequired");
+  const std::vector<double> values = read(model, accessor, object, messages);
+  std::vector<glm::dvec2> result(accessor.count);
+  for (std::size_t i = 0; i < accessor.count; ++i)
+    if (std::isfinite(values[2 * i] + values[2 * i + 1])) result[i] = {values[2 * i], values[2 * i + 1]};
+  return result;
+}
+
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int index, std::size_t vertices,
                                         const Messages& messages) {
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];

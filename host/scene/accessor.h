@@ -24,6 +24,10 @@ enum class Attribute { position, normal };
 std::vector<glm::dvec3> read_vec3(const tinygltf::Model& model, int accessor, Attribute attribute, bool quantized,
                                   const Messages& messages);
 
+// Texture coordinates, likewise; those that are not finite become 0.
+std::vector<glm::dvec2> read_coordinates(const tinygltf::Model& model, int accessor, bool quantized,
+                                         const Messages& messages);
+
 // Vertex indices; fails where one is not below `vertices`.
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor, std::size_t vertices,
                                         const Messages& messages);

@@ -49,14 +49,14 @@ Scene assemble(const Source& source, Messages& messages) {
   Scene scene;
   scene.environment = source.environment;
   const std::vector<PlacedNode> nodes = place_nodes(model, messages);
-  const std::vector<MeshParts> meshes = read_meshes(model, nodes, messages);
+  scene.materials = read_materials(model, messages);
+  const std::vector<MeshParts> meshes = read_meshes(model, nodes, scene.materials, messages);
   const Box box = bounding_box(model, nodes, meshes);
   if (!(box.low.x <= box.high.x))
     messages.fail("scene", "has no triangles", "export at least one mesh (and check which objects are exported)");
   if (!std::isfinite(glm::length(box.high - box.low)))
     messages.fail("scene", "reaches to infinity", "check the nodes' translations and scales");
   scene.origin = local_origin(box);
-  scene.materials = read_materials(model, messages);
   scene.objects = place_objects(model, nodes, meshes, scene.origin, scene.materials, messages);
   if (scene.objects.empty()) messages.fail("scene", "has no triangle with an area", "check the nodes' scales");
   scene.cameras = read_cameras(model, nodes, messages);

@@ -9,6 +9,7 @@
 
 #include "host/scene/extras.h"
 #include "host/scene/liquids.h"
+#include "host/scene/textures.h"
 
 namespace meniscal::gltf {
 namespace {
@@ -51,19 +52,8 @@ glm::dvec3 vector(const std::vector<double>& values, const std::string& object, 
   return result;
 }
 
-bool has_texture(const tinygltf::Material& material) {
-  const auto& pbr = material.pbrMetallicRoughness;
-  bool found = pbr.baseColorTexture.index >= 0 || pbr.metallicRoughnessTexture.index >= 0 ||
-               material.normalTexture.index >= 0 || material.occlusionTexture.index >= 0 ||
-               material.emissiveTexture.index >= 0;
-  for (const auto& [name, extension] : material.extensions)
-    for (const std::string& key : extension.Keys()) found = found || key.ends_with("Texture");
-  return found;
-}
-
 void warn_of_what_is_left_out(const tinygltf::Material& material, const Factors& specular, const std::string& object,
                               Messages& messages) {
-  if (has_texture(material)) messages.warn(object, "textures are not used yet: its factors alone count");
   if (material.alphaMode != "OPAQUE") messages.warn(object, fmt::format("alphaMode {} is ignored", material.alphaMode));
   if (specular.color("specularColorFactor") != glm::dvec3(1)) messages.warn(object, "specularColorFactor is ignored");
 }
@@ -88,7 +78,8 @@ void complete_liquid(const tinygltf::Material& source, Material& material) {
   if (!source.values.contains("metallicFactor")) material.metallic = material.liquid->opaque ? 1 : 0;
 }
 
-Material read_material(const tinygltf::Material& source, std::size_t index, Messages& messages) {
+Material read_material(const tinygltf::Model& model, std::size_t index, Images& images, Messages& messages) {
+  const tinygltf::Material& source = model.materials[index];
   const std::string object = label("material", source.name, index);
   const Factors transmission(source, "KHR_materials_transmission", object, messages);
   const Factors ior(source, "KHR_materials_ior", object, messages);
@@ -124,6 +115,7 @@ Material read_material(const tinygltf::Material& source, std::size_t index, Mess
   if (material.liquid) {
     complete_liquid(source, material);
   }
+  read_textures(model, source, object, images, material, messages);
   return material;
 }
 
@@ -144,8 +136,9 @@ void check_liquid_names(const std::vector<Material>& materials, Messages& messag
 
 std::vector<Material> read_materials(const tinygltf::Model& model, Messages& messages) {
   std::vector<Material> materials;
+  Images images(model, messages);
   for (std::size_t i = 0; i < model.materials.size(); ++i)
-    materials.push_back(read_material(model.materials[i], i, messages));
+    materials.push_back(read_material(model, i, images, messages));
   check_liquid_names(materials, messages);
   return materials;
 }

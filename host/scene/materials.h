@@ -1,4 +1,4 @@
-// Materials: core PBR factors, the KHR_materials_* extensions this project renders, and `extras`.
+// Materials: core PBR factors and textures, the KHR_materials_* extensions this project renders, and `extras`.
 #pragma once
 
 #include <tiny_gltf.h>

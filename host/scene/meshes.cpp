@@ -6,13 +6,41 @@
 
 #include "host/scene/accessor.h"
 #include "host/scene/geometry.h"
+#include "host/scene/textures.h"
 
 namespace meniscal::gltf {
 namespace {
 
 using meniscus::TriangleMesh;
 
-MeshParts read_mesh(const tinygltf::Model& model, std::size_t index, bool quantized, Messages& messages) {
+// Those that the material's textures read; where the primitive has none, they read one place.
+std::vector<glm::vec4> read_texture_coordinates(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                                std::size_t vertices, const std::vector<Material>& materials,
+                                                const std::string& object, bool quantized, Messages& messages) {
+  if (primitive.material < 0) return {};
+  const Material& material = materials[static_cast<std::size_t>(primitive.material)];
+  std::vector<glm::vec4> result;
+  for (const int set : {0, 1}) {
+    if (!reads_set(material, set)) continue;
+    result.resize(vertices, glm::vec4(0));
+    const std::string name = fmt::format("TEXCOORD_{}", set);
+    const auto attribute = primitive.attributes.find(name);
+    if (attribute == primitive.attributes.end()) {
+      messages.warn(object, fmt::format("has no {}, which textures of material \"{}\" ask for: they are read at (0, 0)",
+                                        name, material.name));
+      continue;
+    }
+    const std::vector<glm::dvec2> coordinates = read_coordinates(model, attribute->second, quantized, messages);
+    for (std::size_t i = 0; i < vertices; ++i) {
+      result[i][2 * set] = static_cast<float>(coordinates[i].x);
+      result[i][2 * set + 1] = static_cast<float>(coordinates[i].y);
+    }
+  }
+  return result;
+}
+
+MeshParts read_mesh(const tinygltf::Model& model, std::size_t index, bool quantized,
+                    const std::vector<Material>& materials, Messages& messages) {
   const tinygltf::Mesh& source = model.meshes[index];
   const std::string object = label("mesh", source.name, index);
   MeshParts result;
@@ -37,6 +65,8 @@ MeshParts read_mesh(const tinygltf::Model& model, std::size_t index, bool quanti
       messages.fail(object, fmt::format("has {} indices, no multiple of 3", indices.size()), "repair the mesh");
     part.triangles = triangulate(indices, primitive.mode);
     dropped += drop_collapsed(part);
+    result.coordinates.push_back(
+        read_texture_coordinates(model, primitive, part.positions.size(), materials, object, quantized, messages));
     result.parts.push_back(std::move(part));
     result.materials.push_back(primitive.material);
     result.primitives.push_back(static_cast<int>(&primitive - source.primitives.data()));
@@ -67,7 +97,7 @@ void check_size(const tinygltf::Model& model, const std::vector<PlacedNode>& nod
 }  // namespace
 
 std::vector<MeshParts> read_meshes(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
-                                   Messages& messages) {
+                                   const std::vector<Material>& materials, Messages& messages) {
   check_size(model, nodes, messages);
   const auto& used = model.extensionsUsed;
   const bool quantized = std::find(used.begin(), used.end(), "KHR_mesh_quantization") != used.end();
@@ -77,7 +107,7 @@ std::vector<MeshParts> read_meshes(const tinygltf::Model& model, const std::vect
       needed[static_cast<std::size_t>(mesh)] = 1;
   std::vector<MeshParts> meshes(model.meshes.size());
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    if (needed[i]) meshes[i] = read_mesh(model, i, quantized, messages);
+    if (needed[i]) meshes[i] = read_mesh(model, i, quantized, materials, messages);
   return meshes;
 }
 

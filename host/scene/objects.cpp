@@ -92,7 +92,9 @@ std::vector<Object> place_objects(const tinygltf::Model& model, const std::vecto
           messages.warn(fmt::format("object \"{}\"", name), "left out: its node's scale leaves no triangle an area");
         continue;
       }
-      complete_normals(object.mesh);
+      if (const std::vector<glm::vec4>& at = mesh.coordinates[i]; !at.empty())
+        for (const glm::uvec3& t : object.mesh.triangles) object.coordinates.push_back({at[t.x], at[t.y], at[t.z]});
+      complete_normals(object.mesh);  // numbers vertices anew, but not triangles and their corners
       if (static_cast<std::size_t>(object.material) == default_material && materials.size() == default_material)
         materials.emplace_back().name = "default";
       if (materials[static_cast<std::size_t>(object.material)].liquid) repair_free_surface(object, messages);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/scene/environment.h"
+#include "host/scene/texture.h"
 #include "meniscus/mesh.h"
 
 namespace meniscal {
@@ -39,6 +40,10 @@ struct Material {
   glm::dvec3 absorption{0};    // 1/m per channel, from attenuation colour and distance
   glm::dvec3 emission{0};      // radiance, emissiveFactor * emissiveStrength
   bool double_sided = false;
+  // Factors on base colour; roughness (green) and metallic (blue); emission. Liquids have none.
+  std::optional<Texture> base_color_texture, metallic_roughness_texture, normal_texture, emissive_texture;
+  double most_metallic = 1, most_roughness = 1;  // of the texture's texels; without one 1
+  double normal_scale = 1;                       // of the normal texture's red and green
   std::optional<LiquidProperties> liquid;
   std::optional<double> contact_angle;               // degrees, with every liquid
   std::map<std::string, double> contact_angle_with;  // degrees, by the name of the liquid's material
@@ -47,11 +52,19 @@ struct Material {
   std::optional<int> dielectric_priority;
 };
 
+inline bool has_textures(const Material& m) {
+  return m.base_color_texture || m.metallic_roughness_texture || m.normal_texture || m.emissive_texture;
+}
+
+// Of a triangle's corners: sets 0 (x, y) and 1 (z, w).
+using CornerCoordinates = std::array<glm::vec4, 3>;
+
 // One primitive of one mesh node, in world space.
 struct Object {
   std::string name;             // node name, else mesh name; "name/primitive" where a mesh has several
   meniscus::TriangleMesh mesh;  // normals always present: the file's, or facet normals (vertices split)
   bool has_file_normals = false;
+  std::vector<CornerCoordinates> coordinates{};  // by triangle; empty where the material has no textures
   // Every edge of the whole glTF mesh (all its primitives, positions merged) is shared by two triangles.
   bool closed = false;
   int material = 0;             // index into Scene::materials

@@ -11,10 +11,10 @@
 namespace meniscal::gltf {
 namespace {
 
-// No image is decoded: materials warn of their textures. Those that are part of a buffer are there already.
+// No image is decoded here (images.h). Those that are part of a buffer are there already.
 bool keep_image_file(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
                      int size, void*) {
-  if (!image->uri.empty()) image->image.assign(bytes, bytes + size);
+  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   return true;
 }
 

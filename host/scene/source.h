@@ -13,7 +13,7 @@ namespace meniscal::gltf {
 struct Source {
   std::string file;       // as given, for messages
   std::string json;       // its text; of buffers that stood in it only names are left
-  tinygltf::Model model;  // validated; an image in a file of its own holds that file's bytes, undecoded
+  tinygltf::Model model;  // validated; an image outside buffers holds its file's bytes, undecoded
   std::optional<Environment> environment;
   std::string hash;  // of all bytes read, hexadecimal
 };

@@ -117,6 +117,24 @@ void check_accessors(const tinygltf::Model& model, const Messages& messages) {
   }
 }
 
+void check_textures(const tinygltf::Model& model, const Messages& messages) {
+  for (std::size_t i = 0; i < model.images.size(); ++i)
+    check_index(label("image", model.images[i].name, i), "bufferView", model.images[i].bufferView,
+                model.bufferViews.size(), true, messages);
+  for (std::size_t i = 0; i < model.textures.size(); ++i) {
+    const std::string object = label("texture", model.textures[i].name, i);
+    check_index(object, "image", model.textures[i].source, model.images.size(), true, messages);
+    check_index(object, "sampler", model.textures[i].sampler, model.samplers.size(), true, messages);
+  }
+  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+    const tinygltf::Material& m = model.materials[i];
+    for (const int texture :
+         {m.pbrMetallicRoughness.baseColorTexture.index, m.pbrMetallicRoughness.metallicRoughnessTexture.index,
+          m.normalTexture.index, m.emissiveTexture.index})
+      check_index(label("material", m.name, i), "texture", texture, model.textures.size(), true, messages);
+  }
+}
+
 void check_meshes(const tinygltf::Model& model, Messages& messages) {
   for (std::size_t i = 0; i < model.meshes.size(); ++i)
     for (const tinygltf::Primitive& primitive : model.meshes[i].primitives) {
@@ -200,6 +218,7 @@ void validate(const tinygltf::Model& model, bool binary, Messages& messages) {
   check_extensions(model, messages);
   check_buffer_views(model, binary, messages);
   check_accessors(model, messages);
+  check_textures(model, messages);
   check_meshes(model, messages);
   check_nodes(model, messages);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "host/world/textures.h"
+
 namespace meniscal {
 namespace {
 
@@ -46,7 +48,8 @@ Powered sky(const Environment& environment, double radius) {
   return {light, light_of(environment) * glm::pi<double>() * radius * radius};
 }
 
-Powered emissive(const WorldTriangle& t, std::uint32_t index, const shared::Surface& surface) {
+// `part`: of the surface's emission, on average.
+Powered emissive(const WorldTriangle& t, std::uint32_t index, const shared::Surface& surface, const glm::dvec3& part) {
   shared::Light light{};
   light.type = shared::LIGHT_AREA;
   light.position = glm::vec3(t.corner[0]);
@@ -57,7 +60,8 @@ Powered emissive(const WorldTriangle& t, std::uint32_t index, const shared::Surf
   light.triangle = index;
   light.intensity = surface.emission;
   light.double_sided = surface.double_sided;
-  return {light, mean(glm::dvec3(surface.emission)) * glm::pi<double>() * t.area * (surface.double_sided ? 2 : 1)};
+  return {light,
+          mean(glm::dvec3(surface.emission) * part) * glm::pi<double>() * t.area * (surface.double_sided ? 2 : 1)};
 }
 
 }  // namespace
@@ -67,9 +71,11 @@ std::vector<shared::Light> make_lights(const Scene& scene, const World& world) {
   for (const PunctualLight& l : scene.lights) all.push_back(punctual(l, world.radius));
   const auto others = std::stable_partition(all.begin(), all.end(), [](const Powered& p) { return is_sun(p.light); });
   if (scene.environment) all.insert(others, sky(*scene.environment, world.radius));
+  const std::vector<glm::dvec3> emitted = mean_emission_factors(world);
   for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
     const shared::Surface& surface = world.surfaces[world.triangles[i].material];
-    if (surface.emission != glm::vec3(0)) all.push_back(emissive(world.triangles[i], i, surface));
+    if (surface.emission != glm::vec3(0))
+      all.push_back(emissive(world.triangles[i], i, surface, emitted.empty() ? glm::dvec3(1) : emitted[i]));
   }
   std::erase_if(all, [](const Powered& p) { return !(p.power > 0); });
 

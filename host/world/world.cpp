@@ -12,14 +12,17 @@
 #include "host/world/media.h"
 #include "host/world/menisci.h"
 #include "host/world/surfaces.h"
+#include "host/world/textures.h"
 #include "shaders/shared/material.h"
 #include "shaders/shared/random.h"
 
 namespace meniscal {
 namespace {
 
+// `coordinates`: of the first of the mesh's triangles, as in WorldTriangle.
 void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh& mesh, std::uint32_t material,
-            const std::vector<std::uint8_t>* meniscus, bool target, bool within = false) {
+            const std::vector<std::uint8_t>* meniscus, bool target, bool within = false,
+            std::uint32_t coordinates = 0) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     WorldTriangle t{};
     for (int k = 0; k < 3; ++k) {
@@ -34,6 +37,7 @@ void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh&
     for (glm::dvec3& n : t.normal)
       if (glm::dot(n, t.geometric) < 0) n = -n;
     t.material = material;
+    t.coordinates = coordinates == 0 ? 0 : coordinates + static_cast<std::uint32_t>(i);
     t.meniscus = target || (meniscus && (*meniscus)[i]);
     t.within = within;
     triangles.push_back(t);
@@ -100,6 +104,13 @@ void build_lights(World& world, const Scene& scene) {
   }
 }
 
+// Whether an outer face above a diffuse surface reflects; where textures tell how much of a metal it is, it may.
+bool reflects_beyond_lambert(const World& world) {
+  return std::any_of(world.surfaces.begin(), world.surfaces.end(), [&](const shared::Surface& s) {
+    return shared::is_glossy(s) || (s.textures != 0 && world.textured[s.textures - 1].metallic > 0);
+  });
+}
+
 // Surfaces by material; a material of closed and of open meshes gets a second one, since only the closed ones refract.
 // Gives each material's surface on closed meshes.
 std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
@@ -109,6 +120,7 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
   for (const Object& o : scene.objects) (o.closed ? on_closed : on_open)[o.material] = true;
   const auto add = [&](const Material& m, bool closed) {
     world.surfaces.push_back(make_surface(m, closed));
+    world.surfaces.back().textures = add_textures(world, m);
     world.material_names.push_back(m.name);
     priorities.push_back(dielectric_priority(m));
     return static_cast<std::uint32_t>(world.surfaces.size() - 1);
@@ -117,7 +129,7 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
   for (std::size_t i = 0; i < materials; ++i) {
     const Material& m = scene.materials[i];
     closed_surface.push_back(add(m, on_closed[i] && !on_open[i]));
-    if (m.roughness < specular_roughness) continue;
+    if (largest_roughness(m) < specular_roughness) continue;
     if (m.liquid)
       world.warnings.push_back(
           fmt::format("{}: material \"{}\": liquids are smooth here; its roughness {:.3g} is taken as 0", scene.file,
@@ -156,7 +168,11 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
                       "normals outward for a solid",
                       scene.file, object.name));
     const std::uint32_t surface = object.closed ? closed_surface[material] : material;
-    append(world.triangles, object.mesh, surface, nullptr, m.target);
+    const bool textured = has_textures(m) && !object.coordinates.empty();
+    append(world.triangles, object.mesh, surface, nullptr, m.target, false,
+           textured ? static_cast<std::uint32_t>(world.coordinates.size()) + 1 : 0);
+    if (textured)
+      world.coordinates.insert(world.coordinates.end(), object.coordinates.begin(), object.coordinates.end());
     add_volume(world, object, surface, nullptr);
   }
   // What is inside solids, light meets only where these let it in.
@@ -171,7 +187,7 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
     for (const glm::dvec3& c : t.corner) world.radius = std::max(world.radius, glm::length(c));
   build_hierarchy(world);
   build_lights(world, scene);
-  world.glossy = std::any_of(world.surfaces.begin(), world.surfaces.end(), shared::is_glossy);
+  world.glossy = reflects_beyond_lambert(world);
   find_media(world);
   build_strata(world);
   if (scene.environment) world.environment = make_environment(*scene.environment, world.cdf);

@@ -14,6 +14,7 @@
 #include "host/world/environment.h"
 #include "host/world/menisci.h"
 #include "shaders/shared/structs.h"
+#include "shaders/shared/textures.h"
 
 namespace meniscal {
 
@@ -23,6 +24,7 @@ struct WorldTriangle {
   glm::dvec3 geometric;              // unit; the outside of a volume, the front of a sheet
   double area;                       // m2
   std::uint32_t material;            // index into surfaces
+  std::uint32_t coordinates;         // index + 1 into World::coordinates; 0: none
   bool meniscus;                     // of a meniscus, or of a material with `meniscus_target`
   bool within;                       // of a liquid, inside a transparent solid
   std::uint32_t light;               // of an area light: index + 1; else 0
@@ -61,20 +63,23 @@ struct LiquidReport {
 struct World {
   std::vector<WorldTriangle> triangles;  // in BVH order: leaves refer to consecutive ones
   std::vector<std::string> material_names;
-  std::vector<shared::Surface> surfaces;  // by material
-  std::vector<shared::Light> lights;      // suns first, then the environment
-  std::uint32_t suns = 0;                 // directional ones with an angular diameter
+  std::vector<shared::Surface> surfaces;           // by material
+  std::vector<shared::MaterialTextures> textured;  // by Surface::textures - 1; of `textures` index + 1
+  std::vector<Texture> textures;
+  std::vector<CornerCoordinates> coordinates;
+  std::vector<shared::Light> lights;  // suns first, then the environment
+  std::uint32_t suns = 0;             // directional ones with an angular diameter
   SampledEnvironment environment;
   bool extended_lights = false;                 // some show a point more than one direction
   bool glossy = false;                          // an outer face above a diffuse surface reflects
   std::vector<Stratum> strata;                  // those that have triangles
   std::vector<std::uint32_t> targets;           // triangles, by stratum
   std::vector<std::optional<LightView>> views;  // by light: photons of those that have one start there
-  std::vector<std::uint32_t> cdf;  // of targets, twice of lights, of the environment, in units of 2^-32
-  std::uint32_t light_first = 0;  // where the lights' part of the CDF begins
-  std::uint32_t near_first = 0;   // the same for lights without a view, the others left out
-  std::vector<Volume> volumes;    // of dielectrics
-  std::string nested;             // which of them lie in each other, or what light is in one that absorbs; empty: none
+  std::vector<std::uint32_t> cdf;               // of targets, twice of lights, of the environment, in units of 2^-32
+  std::uint32_t light_first = 0;                // where the lights' part of the CDF begins
+  std::uint32_t near_first = 0;                 // the same for lights without a view, the others left out
+  std::vector<Volume> volumes;                  // of dielectrics
+  std::string nested;  // which of them lie in each other, or what light is in one that absorbs; empty: none
   Bvh bvh;
   double radius = 0;  // of a sphere round the local origin that holds everything
   std::vector<LiquidReport> liquids;

@@ -11,15 +11,17 @@
 #define BIND_TARGETS 5      // texels: uint[], triangles, beside their part of the CDF
 #define BIND_COUNTERS 6     // uint[COUNTERS]
 #define BIND_ENVIRONMENT 7  // texels: radiance by pixel and the density of directions that are sampled there
-#define BIND_OUTPUT 8       // first binding of a pass's own
+#define BIND_TEXTURES 8     // texels: see host/passes/texture_tables.h
+#define BIND_IMAGES 9       // words
+#define BIND_OUTPUT 10      // first binding of a pass's own
 
 // Of shaders/paths.comp.
-#define BIND_ENDS 8
-#define BIND_DISCS 9
-#define BIND_SAMPLES 10
-#define BIND_BEAMS 11     // texels: Beam[]
-#define BIND_VIEW 12      // texels: one CameraView
-#define BIND_ARRIVALS 13  // uint[], see pack_direction
-#define BIND_GLOSS 14     // PixelGloss[]
+#define BIND_ENDS 10
+#define BIND_DISCS 11
+#define BIND_SAMPLES 12
+#define BIND_BEAMS 13     // texels: Beam[]
+#define BIND_VIEW 14      // texels: one CameraView
+#define BIND_ARRIVALS 15  // uint[], see pack_direction
+#define BIND_GLOSS 16     // PixelGloss[]
 
 #endif

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "tests/support/scene_setup.h"
 #include "tests/support/skies.h"
+#include "tests/support/textured_scene.h"
 
 namespace meniscal {
 namespace {
@@ -73,6 +73,28 @@ TEST_P(Interreflection, OfGpuAndReferenceIsTheSame) {
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, Interreflection, testing::Values("tank", "materials"),
                          [](const auto& tested) { return std::string(tested.param); });
+
+// Textures of every kind, of floor, glass, mirror and lamp.
+TEST(Textures, OfGpuAndReferenceAreTheSame) {
+  REQUIRE_DEVICE();
+  RenderOptions options = test::small_options(40000, 80, 60);
+  options.diffuse_bounces = 3;
+  const auto setup = test::make_setup(test::make_gallery(), options);
+  setup->settings.split = 2;
+  setup->settings.samples = 2;
+  expect_alike(*setup);
+}
+
+TEST(Textures, FromStorageBuffersAreTheSameBits) {
+  REQUIRE_DEVICE();
+  const auto setup = test::make_setup(test::make_gallery(), test::small_options(40000, 80, 60));
+  std::vector<shared::PixelSample> runs[2];
+  for (bool texel : {false, true}) {
+    GpuBackend gpu(gpu::Device::open("auto", true), setup->world, setup->settings, texel);
+    runs[texel] = samples_of(gpu, 1);
+  }
+  EXPECT_EQ(std::memcmp(runs[0].data(), runs[1].data(), runs[0].size() * sizeof(shared::PixelSample)), 0);
+}
 
 TEST_P(ImageAgreement, SameCommandSameBits) {
   REQUIRE_DEVICE();

@@ -1,0 +1,65 @@
+#include "host/scene/images.h"
+
+#include <fmt/format.h>
+#include <stb_image.h>
+
+#include <cstring>
+#include <span>
+#include <string_view>
+
+namespace meniscal::gltf {
+namespace {
+
+std::span<const unsigned char> file_of(const tinygltf::Model& model, const tinygltf::Image& image) {
+  if (image.bufferView < 0) return image.image;
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(image.bufferView)];
+  return std::span(model.buffers[static_cast<std::size_t>(view.buffer)].data).subspan(view.byteOffset, view.byteLength);
+}
+
+bool is_known_kind(std::span<const unsigned char> file) {
+  const std::string_view bytes(reinterpret_cast<const char*>(file.data()), file.size());
+  return bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8\xff");
+}
+
+}  // namespace
+
+std::shared_ptr<const TextureImage> Images::decode(std::size_t index) {
+  if (decoded_[index]) return decoded_[index];
+  const tinygltf::Image& source = model_.images[index];
+  const std::string object = label("image", source.name.empty() ? source.uri : source.name, index);
+  const std::span<const unsigned char> file = file_of(model_, source);
+  if (file.empty()) messages_.fail(object, "no such file, or an empty one", "check the path");
+  if (!is_known_kind(file)) messages_.fail(object, "is neither PNG nor JPEG", "export it as one of these");
+
+  const auto size = static_cast<int>(file.size());  // below max_bytes
+  const auto check = [&](bool decoded, std::string_view reason) {
+    if (!decoded) messages_.fail(object, fmt::format("cannot be decoded: {}", reason), "save the image again");
+  };
+  int width = 0, height = 0, channels = 0;
+  check(stbi_info_from_memory(file.data(), size, &width, &height, &channels) != 0,
+        "it is damaged or has a billion texels and more");
+  const std::uint64_t texels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  if (texels > max_texels - texels_)
+    messages_.fail(
+        object,
+        fmt::format("has {} x {} texels, more than the {} left to this scene", width, height, max_texels - texels_),
+        "use smaller images");
+
+  TextureImage image{.name = source.name.empty() ? source.uri : source.name};
+  image.width = static_cast<std::uint32_t>(width);
+  image.height = static_cast<std::uint32_t>(height);
+  image.deep = stbi_is_16_bit_from_memory(file.data(), size) != 0;
+  image.words.resize(texels * (image.deep ? 2 : 1));
+  void* decoded = nullptr;  // four channels, grey in red, green and blue alike
+  if (image.deep)
+    decoded = stbi_load_16_from_memory(file.data(), size, &width, &height, &channels, 4);
+  else
+    decoded = stbi_load_from_memory(file.data(), size, &width, &height, &channels, 4);
+  check(decoded != nullptr, decoded ? "" : stbi_failure_reason());
+  std::memcpy(image.words.data(), decoded, 4 * image.words.size());  // hosts are little-endian, as Vulkan's are
+  stbi_image_free(decoded);
+  texels_ += texels;
+  return decoded_[index] = std::make_shared<const TextureImage>(std::move(image));
+}
+
+}  // namespace meniscal::gltf
