@@ -2,6 +2,7 @@
 #include "host/gpu/commands.h"
 #include "layout_test_spirv.h"
 #include "shaders/shared/structs.h"
+#include "shaders/shared/textures.h"
 #include "tests/support/scene_setup.h"
 
 namespace meniscal {
@@ -15,11 +16,15 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
                                {1, gpu::Kind::storage},
                                {2, gpu::Kind::storage},
                                {3, gpu::Kind::storage},
-                               {4, gpu::Kind::storage}});
+                               {4, gpu::Kind::storage},
+                               {5, gpu::Kind::storage},
+                               {6, gpu::Kind::storage}});
   const gpu::Buffer surfaces(device, "a", 2 * sizeof(shared::Surface)), lights(device, "b", 2 * sizeof(shared::Light)),
       ends(device, "c", 2 * sizeof(shared::PhotonEnd)), discs(device, "d", 2 * sizeof(shared::PhotonDisc)),
-      samples(device, "e", 2 * sizeof(shared::PixelSample));
-  const gpu::BindingSet bound = pass.bind({{0, surfaces}, {1, lights}, {2, ends}, {3, discs}, {4, samples}});
+      samples(device, "e", 2 * sizeof(shared::PixelSample)),
+      materials(device, "f", 2 * sizeof(shared::MaterialTextures)), textures(device, "g", 2 * sizeof(shared::Texture));
+  const gpu::BindingSet bound =
+      pass.bind({{0, surfaces}, {1, lights}, {2, ends}, {3, discs}, {4, samples}, {5, materials}, {6, textures}});
   gpu::Commands commands(device);
   commands.dispatch(pass, bound, 1);
   commands.submit_and_wait();
@@ -84,6 +89,17 @@ TEST(Layout, SharedStructsLieAlikeOnBothSides) {
   EXPECT_EQ(sample.caustic_count, 32);
   EXPECT_EQ(sample.global, vec3(33, 34, 35));
   EXPECT_EQ(sample.global_count, 36);
+  const auto material = materials.download<shared::MaterialTextures>()[1];
+  EXPECT_EQ(glm::uvec4(material.base, material.metallic_roughness, material.normal, material.emissive),
+            glm::uvec4(1, 2, 3, 4));
+  EXPECT_EQ(glm::vec4(material.metallic, material.roughness, material.least_roughness, material.normal_scale),
+            glm::vec4(5, 6, 7, 8));
+  const auto texture = textures.download<shared::Texture>()[1];
+  EXPECT_EQ(texture.s, vec3(1, 2, 3));
+  EXPECT_EQ(texture.first, 4u);
+  EXPECT_EQ(texture.t, vec3(5, 6, 7));
+  EXPECT_EQ(texture.reading, 8u);
+  EXPECT_EQ(glm::uvec2(texture.width, texture.height), glm::uvec2(9, 10));
 }
 
 }  // namespace

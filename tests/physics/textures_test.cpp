@@ -3,6 +3,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "host/reference/emission.h"
+#include "host/reference/materials.h"
 #include "tests/support/textured_scene.h"
 
 namespace meniscal {
@@ -112,6 +113,51 @@ INSTANTIATE_TEST_SUITE_P(
                     // Below the facet: just above it.
                     Tilt{"below", {1, 0, 0}, {0.99995, 0.0099995, 0}}),
     [](const auto& tested) { return std::string(tested.param.name); });
+
+// What a surface is where its metallic-roughness texture has these texels (roughness in green, metallic in blue), of
+// 255.
+shared::Surface surface_with(double metallic, double roughness, glm::uvec2 there, glm::uvec2 elsewhere) {
+  const auto image = test::make_image(2, 1, false, [&](std::uint32_t x, std::uint32_t) {
+    const glm::uvec2 told = x == 0 ? there : elsewhere;
+    return glm::uvec4(9, told.x, told.y, 255);
+  });
+  Scene scene;
+  scene.materials = {test::make_matte("plate")};
+  Material& m = scene.materials[0];
+  m.base_color = glm::dvec3(0.8, 0.6, 0.4);
+  m.metallic = metallic;
+  m.roughness = roughness;
+  m.metallic_roughness_texture = test::make_texture(image, false);
+  m.most_roughness = std::max(there.x, elsewhere.x) / 255.0;
+  m.most_metallic = std::max(there.y, elsewhere.y) / 255.0;
+  scene.objects = {test::make_quad("plate", {-1, 0, -1}, {2, 0, 0}, {0, 0, 2}, 0)};
+  scene.cameras = {test::camera_above(glm::dvec3(0), 1)};
+  const World world = build_world(scene, MeniscusModel::none);
+  // In the first triangle, at the left texel's centre.
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    reference::Hit hit{1, i, glm::dvec3(-0.5, 0, 0.5), glm::dvec3(0, 1, 0)};
+    if (world.triangles[i].corner[1].x < 0) return reference::shade(world, hit);
+  }
+  throw std::logic_error("no such triangle");
+}
+
+TEST(MetallicRoughness, FactorsMultiplyAndTheClassStays) {
+  // Rough: alpha is the product's square, f0 between a dielectric's and the base colour.
+  shared::Surface s = surface_with(0.5, 0.8, {128, 51}, {255, 255});
+  EXPECT_EQ(s.specular, 0);
+  EXPECT_NEAR(double(s.alpha), std::pow(0.8 * 128 / 255, 2), 1e-6);
+  EXPECT_NEAR(double(s.f0.y), glm::mix(0.04, 0.6, 0.5 * 0.2), 1e-6);
+  EXPECT_NEAR(double(s.albedo.z), 0.4, 1e-6);
+  // A smooth place of a rough material stays rough, if only just.
+  s = surface_with(0.5, 0.8, {0, 51}, {255, 255});
+  EXPECT_EQ(s.specular, 0);
+  EXPECT_NEAR(double(s.alpha), 0.05 * 0.05, 1e-8);
+  // Smooth all over, though the factor alone is not: a mirror where it is metal.
+  s = surface_with(1, 0.8, {10, 51}, {0, 255});
+  EXPECT_EQ(s.kind, shared::SPECULAR_MIRROR);
+  EXPECT_EQ(s.alpha, 0);
+  EXPECT_NEAR(double(s.specular), 0.2, 1e-6);
+}
 
 // Texels of a lamp, of which the left half is dark.
 glm::uvec4 lamp_texel(std::uint32_t x, std::uint32_t y) {
