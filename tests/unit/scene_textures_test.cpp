@@ -120,6 +120,7 @@ TEST_F(SceneTextures, WrapsEachDirectionByItself) {
   EXPECT_EQ(at(clamped, 5.1), 1);
   EXPECT_EQ(at(clamped, -0.1), 0);
   EXPECT_EQ(at(mirrored, 1.1), 1);
+  EXPECT_EQ(at(mirrored, 1.3), 0);
   EXPECT_EQ(at(mirrored, -0.9), 1);
   EXPECT_EQ(at(mirrored, 1.9), 0);
   // Bilinear across the border: to the other end, to itself, to itself.
