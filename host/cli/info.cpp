@@ -100,6 +100,11 @@ Json lights_of(const Scene& scene) {
     if (m.emission != glm::dvec3(0))
       list.push_back({{"name", o.name}, {"type", "mesh"}, {"radiance", triple(m.emission)}});
   }
+  if (scene.environment)
+    list.push_back({{"name", "environment"},
+                    {"type", "image"},
+                    {"pixels", {scene.environment->width, scene.environment->height}},
+                    {"rotation_deg", scene.environment->rotation * kDegrees}});
   return list;
 }
 

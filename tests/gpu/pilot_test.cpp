@@ -1,5 +1,6 @@
 // The pilot: photons go where the camera sees what they give, and none of the light is lost.
 #include "tests/support/scene_setup.h"
+#include "tests/support/skies.h"
 
 namespace meniscal {
 namespace {
@@ -77,11 +78,13 @@ TEST(Ordinary, GivesTheSameLight) {
   REQUIRE_DEVICE();
   RenderOptions options = options_of(Integrator::ordinary);
   options.photons = 400000;
-  for (const char* scene : {"post", "area_light", "spot_light", "point_light"}) {
-    const auto setup = test::make_setup(scene, options);
+  for (const char* scene :
+       {"post", "area_light", "spot_light", "point_light", "post-sun", "post-wide_sun", "post-day"}) {
+    const test::NamedLight named = test::named_light(scene);
+    const auto setup = test::make_setup(named.file, options, named.edit);
     GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
     const test::PassResult ordinary = test::render_pass(gpu, 0);
-    const auto targeted_setup = test::make_setup(scene, options_of());
+    const auto targeted_setup = test::make_setup(named.file, options_of(), named.edit);
     GpuBackend targeted_gpu(gpu::Device::open("auto"), targeted_setup->world, targeted_setup->settings);
     const test::PassResult targeted = test::render_pass(targeted_gpu, 0);
     for (std::size_t map = 0; map < shared::MAPS; ++map) {

@@ -235,6 +235,35 @@ INSTANTIATE_TEST_SUITE_P(Integrators, UnderWater, testing::Values(Integrator::ta
                            return tested.param == Integrator::ordinary ? "ordinary" : "targeted";
                          });
 
+// Water with a meniscus, caustics and interreflection: by photons from the targets, from the lights alone, and by path
+// tracing, one answer.
+class OneAnswerOutdoors : public testing::TestWithParam<const char*> {};
+
+TEST_P(OneAnswerOutdoors, OfPhotonsAndPaths) {
+  REQUIRE_DEVICE();
+  RenderOptions options = test::small_options(200000, 48, 36);
+  options.diffuse_bounces = 2;
+  options.quality = Quality::draft;
+  const test::NamedLight named = test::named_light(GetParam());
+  const auto radiance_by = [&](Integrator integrator, std::uint32_t samples, std::uint32_t passes) {
+    options.integrator = integrator;
+    options.samples = samples;
+    const auto setup = test::make_setup(named.file, options, named.edit);
+    const Image image = render_image(*setup, integrator != Integrator::path, passes, {});
+    double sum = 0;
+    for (const float v : image.layers[0].pixels) sum += double(v) / double(image.layers[0].pixels.size());
+    return sum;
+  };
+  const double path = radiance_by(Integrator::path, 200, 1);
+  const double targeted = radiance_by(Integrator::targeted, 4, 4);
+  const double ordinary = radiance_by(Integrator::ordinary, 4, 8);
+  std::printf("radiance: path %.5f, targeted %.5f, ordinary %.5f\n", path, targeted, ordinary);
+  EXPECT_NEAR(targeted, path, 0.03 * path);
+  EXPECT_NEAR(ordinary, path, 0.03 * path);
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, OneAnswerOutdoors, testing::Values("shadow_sausage-wide_sun", "shadow_sausage-day"),
+                         test::name_of_test);
+
 // From below the water the whole sky is within Snell's window; beyond it, the surface mirrors the dark.
 TEST(Environment, IsSeenThroughSnellsWindow) {
   REQUIRE_DEVICE();
