@@ -27,7 +27,7 @@ inline void light_by(Scene& scene, const Environment& sky) {
 // A clear day: colours that go over into each other, a bright spot, and darkness below.
 inline Environment day() {
   return make_sky(32, 16, [](int row, int column) {
-    if (row == 3 && column == 9) return glm::vec3(300, 280, 240);
+    if (row == 3 && column == 9) return glm::vec3(60, 56, 48);
     return row < 8 ? glm::vec3(0.5f, 0.7f, 1.0f) * (0.2f + 0.05f * float(row)) : glm::vec3(0.05f, 0.04f, 0);
   });
 }

@@ -38,6 +38,7 @@ TEST(Sky, DensityIsThatOfTheSamplesAndIntegratesToOne) {
     scene.environment = test::day();
     scene.environment->rotation = 1.1;
     test::widen_suns(scene, 30);
+    scene.lights[0].direction = glm::normalize(dvec3(-1, -1, 0.3));
   });
   ASSERT_EQ(world.lights.size(), 2u);
   ASSERT_EQ(world.suns, 1u);
