@@ -191,6 +191,14 @@ double transmittance(double angle) {
   return 1 - (s * s + p * p) / 2;
 }
 
+// Of uniform light.
+double diffuse_transmittance() {
+  constexpr int n = 2000;
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += transmittance(std::asin(std::sqrt((i + 0.5) / n)));  // by projected solid angle
+  return sum / n;
+}
+
 // A floor under water that is wide enough for all that is bent to it: what the surface lets through, whoever sends the
 // photons.
 class UnderWater : public testing::TestWithParam<Integrator> {};
@@ -205,12 +213,7 @@ TEST_P(UnderWater, FloorGetsWhatTheSurfaceLetsThrough) {
     return std::pair(means.caustic, means.noise * pi / 0.5);
   };
 
-  double diffuse = 0;  // part of uniform light
-  constexpr int n = 2000;
-  for (int i = 0; i < n; ++i) {
-    const double sine2 = (i + 0.5) / n;  // uniform in projected solid angle
-    diffuse += transmittance(std::asin(std::sqrt(sine2))) / n;
-  }
+  const double diffuse = diffuse_transmittance();
   EXPECT_NEAR(diffuse, 0.934, 0.001) << "1 - the diffuse reflectance of water, as tabulated";
   const auto [sky, sky_noise] = irradiance([](Scene& scene) {
     test::light_by(scene, test::make_sky(16, 8, [](int row, int) { return glm::vec3(row < 4 ? 1.0f : 0.0f); }));
@@ -230,6 +233,29 @@ TEST_P(UnderWater, FloorGetsWhatTheSurfaceLetsThrough) {
     EXPECT_LT(sun_noise, 0.01);
   }
 }
+// Light from below, within the water, that is mirrored beyond the critical angle: a ceiling just above gets the same
+// part of it, over n^2.
+TEST_P(UnderWater, LightFromBelowComesOutInSnellsCone) {
+  REQUIRE_DEVICE();
+  RenderOptions options = test::small_options(400000, 8, 8);
+  options.integrator = GetParam();
+  const auto setup = make_floor(options, true, 4, [](Scene& scene) {
+    for (Object& o : scene.objects)
+      if (o.name == "floor")
+        for (dvec3& p : o.mesh.positions) p.y += 52 * mm;
+    test::light_by(scene, test::make_sky(16, 8, [](int row, int) { return glm::vec3(row < 4 ? 0.0f : 1.0f); }));
+  });
+  const std::unique_ptr<Backend> backend = make_backend(*setup, true);
+  double landed = 0;
+  for (std::uint32_t pass = 0; pass < 4; ++pass) {
+    const Tallies tallies = test::render_pass(*backend, pass).tallies;
+    for (const double flux : tallies[shared::MAP_CAUSTIC].flux_landed) landed += flux / 4;
+  }
+  const double area = std::pow(0.24, 2), expected = area * pi * diffuse_transmittance() / (water_ior * water_ior);
+  std::printf("landed %.6f, expected %.6f\n", landed, expected);
+  EXPECT_NEAR(landed, expected, 0.01 * expected);
+}
+
 INSTANTIATE_TEST_SUITE_P(Integrators, UnderWater, testing::Values(Integrator::targeted, Integrator::ordinary),
                          [](const auto& tested) {
                            return tested.param == Integrator::ordinary ? "ordinary" : "targeted";
