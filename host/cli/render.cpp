@@ -77,7 +77,7 @@ class Keeper {
 Identity identity_of_run(const RenderOptions& options, const Scene& scene, const RenderSettings& settings,
                          const Film& film) {
   Image frame = film.image(settings.width, settings.height);
-  describe_settings(frame, scene, settings, options.meniscus, options.map_scale);
+  describe_settings(frame, scene, settings, options.meniscus, options.meniscus_tolerance, options.map_scale);
   return identity_of(frame);
 }
 
@@ -147,7 +147,7 @@ void render(const RenderOptions& options) {
 
   const Stopwatch writing;
   Image image = film.image(settings.width, settings.height);
-  describe_settings(image, scene, settings, options.meniscus, options.map_scale);
+  describe_settings(image, scene, settings, options.meniscus, options.meniscus_tolerance, options.map_scale);
   describe_passes(image, {run.passes}, seconds_before + total.seconds());
   write_exr(options.output, image);
   if (options.preview) write_preview(*options.preview, image, options.tonemap, options.exposure);

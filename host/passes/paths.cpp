@@ -5,14 +5,11 @@
 #include "host/world/media.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/material.h"
 #include "shaders/shared/random.h"
 
 namespace meniscal::passes {
 namespace {
-
-bool is_rough_specular(const shared::Surface& s) {
-  return s.alpha > 0 && (s.kind == shared::SPECULAR_DIELECTRIC || s.kind == shared::SPECULAR_THIN);
-}
 
 gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables, const World& world,
                            const RenderSettings& settings) {
@@ -26,12 +23,13 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
           shader("paths", tables.texel),
           layout,
           sizeof(shared::PathPush),
-          tables.constants({.differentials = !settings.caustics.discs.round(),
-                            .emission = settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0,
-                            .scattering = settings.diffuse_bounces > 0,
-                            .nested = !why_nested(world, settings.camera_media).empty(),
-                            .gloss = world.glossy,
-                            .rough = std::any_of(world.surfaces.begin(), world.surfaces.end(), is_rough_specular)})};
+          tables.constants(
+              {.differentials = !settings.caustics.discs.round(),
+               .emission = settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0,
+               .scattering = settings.diffuse_bounces > 0,
+               .nested = !why_nested(world, settings.camera_media).empty(),
+               .gloss = world.glossy,
+               .rough = std::any_of(world.surfaces.begin(), world.surfaces.end(), shared::is_rough_specular)})};
 }
 
 shared::CameraView make_view(const RenderSettings& settings, std::uint32_t pass) {

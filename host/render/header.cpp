@@ -28,7 +28,7 @@ glm::dmat4 projection(const RenderSettings& settings) {
 }  // namespace
 
 void describe_settings(Image& image, const Scene& scene, const RenderSettings& settings, MeniscusModel model,
-                       const MapScale& scale) {
+                       double meniscus_tolerance, const MapScale& scale) {
   image.text["software"] = "meniscal " MENISCAL_VERSION;
   image.text["sceneHash"] = scene.hash;
   image.text["meniscusModel"] = model == MeniscusModel::none ? "none" : "paper";
@@ -38,6 +38,7 @@ void describe_settings(Image& image, const Scene& scene, const RenderSettings& s
   image.text["interreflection"] = settings.final_gathering ? "gathered" : "map";
   image.text["mapScale"] = fmt::format("targeted={},caustic={},global={}", scale.targeted, scale.caustic, scale.global);
   image.text["footprints"] = settings.caustics.discs.round() ? "round" : own_footprints;
+  image.numbers["meniscusTolerance"] = meniscus_tolerance;
   image.numbers["seed"] = settings.seed;
   image.numbers["photonsPerPass"] = settings.caustics.count();
   image.numbers["samplesPerPass"] = settings.samples;

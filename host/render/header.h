@@ -8,8 +8,9 @@
 namespace meniscal {
 
 // The scene and all settings that passes depend on.
+// `meniscus_tolerance`: factor on that of the scene's menisci.
 void describe_settings(Image& image, const Scene& scene, const RenderSettings& settings, MeniscusModel model,
-                       const MapScale& scale);
+                       double meniscus_tolerance, const MapScale& scale);
 
 // The passes that the image is the mean of, and what they took. The latter, and 0 where nothing is said of it, back.
 void describe_passes(Image& image, const PassRanges& passes, double render_seconds);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/world/media.h"
+#include "shaders/shared/material.h"
 
 namespace meniscal {
 namespace {
@@ -63,7 +64,13 @@ Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uve
   plan.push_back(
       {"nested dielectrics", !nested.empty(), nested.empty() ? "no two transparent volumes overlap" : nested});
   plan.push_back(counted("thin sheets", count_surfaces(world, shared::SPECULAR_THIN), "thin-walled materials"));
-  plan.push_back(counted("mirrors", count_surfaces(world, shared::SPECULAR_MIRROR), "smooth metals"));
+  plan.push_back(counted("mirrors", count_surfaces(world, shared::SPECULAR_MIRROR), "smooth metals or lacquers"));
+  plan.push_back(
+      {"gloss", world.glossy,
+       world.glossy ? "outer faces reflect above diffuse surfaces" : "no outer face above a diffuse surface reflects"});
+  plan.push_back(counted("frosted glass",
+                         std::count_if(world.surfaces.begin(), world.surfaces.end(), shared::is_rough_specular),
+                         "rough transparent materials"));
   plan.push_back(counted("textures", world.textures.size(), "textures"));
   plan.push_back(counted("absorption",
                          std::count_if(world.surfaces.begin(), world.surfaces.end(),

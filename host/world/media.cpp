@@ -70,16 +70,14 @@ int dielectric_priority(const Material& material) {
 }
 
 void rank_dielectrics(std::span<shared::Surface> surfaces, std::span<const int> priorities) {
-  std::vector<int> in_use;
+  std::vector<std::size_t> order;  // of one priority, the material that stands later in the scene wins
   for (std::size_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i].kind == shared::SPECULAR_DIELECTRIC) in_use.push_back(priorities[i]);
-  std::sort(in_use.begin(), in_use.end());
-  in_use.erase(std::unique(in_use.begin(), in_use.end()), in_use.end());
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].kind != shared::SPECULAR_DIELECTRIC) continue;
-    const auto place = std::lower_bound(in_use.begin(), in_use.end(), priorities[i]);
-    surfaces[i].rank = 1 + static_cast<std::uint32_t>(place - in_use.begin());
-  }
+    if (surfaces[i].kind == shared::SPECULAR_DIELECTRIC) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return priorities[a] < priorities[b]; });
+  constexpr std::size_t most = (1u << (32 - shared::MEDIUM_SURFACE_BITS)) - 1;
+  for (std::size_t place = 0; place < order.size(); ++place)
+    surfaces[order[place]].rank = static_cast<std::uint32_t>(std::min(1 + place, most));
 }
 
 void add_volume(World& world, const Object& object, std::uint32_t surface, const meniscus::TriangleMesh* raised) {

@@ -11,7 +11,7 @@ namespace meniscal {
 // Where volumes overlap, the higher wins: what the material says, else 10, but for liquids 0.
 int dielectric_priority(const Material& material);
 
-// Sets the ranks of those that are dielectrics. `priorities`: by surface.
+// Sets the ranks of those that are dielectrics. `priorities`: by surface; of equal ones the later surface wins.
 void rank_dielectrics(std::span<shared::Surface> surfaces, std::span<const int> priorities);
 
 // Notes what an object fills, if it is of a dielectric. `raised`: of a liquid, its surface with its menisci.

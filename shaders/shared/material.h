@@ -33,5 +33,10 @@ SHARED bool is_glossy(Surface s) {
   return reflects && (s.kind == SPECULAR_MIRROR ? below : s.alpha > 0.0f && s.specular < 1.0f);
 }
 
+// Whether it bends what it lets through by microfacets.
+SHARED bool is_rough_specular(Surface s) {
+  return s.alpha > 0.0f && (s.kind == SPECULAR_DIELECTRIC || s.kind == SPECULAR_THIN);
+}
+
 SHARED_END
 #endif
