@@ -1,6 +1,7 @@
 // Directions to suns and the environment: what is sampled, its density, and what is seen there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -129,6 +130,53 @@ TEST(Sky, SunIsADisc) {
     EXPECT_EQ(seen(1.001 * half).radiance, dvec3(0));
     EXPECT_NEAR(seen(0).pdf * 4 * pi * std::pow(std::sin(half / 2), 2), 1, 1e-6);
   }
+}
+
+// Whatever the target and the direction to the sun, light on its way there goes through the view.
+TEST(SunView, MissesNoTarget) {
+  const World world = world_under([](Scene& scene) {
+    test::widen_suns(scene, 0.9);
+    scene.lights[0].direction = glm::normalize(dvec3(0.5, -1, 0.2));
+  });
+  ASSERT_TRUE(world.views.at(0));
+  const LightView& view = *world.views[0];
+  const dvec3 axis = glm::normalize(dvec3(world.lights[0].direction));
+  const double half = glm::radians(0.9) / 2;
+  glm::dvec2 low(1), high(0);
+  for (const std::uint32_t i : world.targets)
+    for (const dvec3& corner : world.triangles[i].corner)
+      for (int k = 0; k < 8; ++k) {
+        const dvec3 along = reference::around(axis, std::sin(half), std::cos(half), k / 8.0);
+        const dvec3 through = corner + glm::dot(view.corner - corner, axis) / glm::dot(along, axis) * along;
+        const dvec3 from_corner = through - view.corner;
+        const glm::dvec2 place(glm::dot(from_corner, view.u) / glm::dot(view.u, view.u),
+                               glm::dot(from_corner, view.v) / glm::dot(view.v, view.v));
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+      }
+  EXPECT_GE(std::min(low.x, low.y), 0);
+  EXPECT_LE(std::max(high.x, high.y), 1);
+  EXPECT_LT(std::max(low.x, low.y), 0.01) << "and no more than that";
+  EXPECT_GT(std::min(high.x, high.y), 0.99);
+}
+
+// What sampling finds, density and radiance say again.
+TEST(AreaLight, DensityIsThatOfTheSamples) {
+  const World world = build_world(load_gltf(std::string(SCENES) + "/area_light.gltf"), MeniscusModel::none);
+  ASSERT_EQ(world.lights.size(), 2u);
+  const dvec3 point(0.004, -0.01, 0.002);
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    const auto s = reference::sample_lights(world, world.light_first, point, {1, 2, 3, i}, false);
+    const double cosine = std::abs(glm::dot(s.direction, world.triangles[s.triangle].geometric));
+    const double pdf = reference::area_light_pdf(world, s.triangle, s.distance, cosine);
+    const dvec3 radiance = glm::dvec3(world.surfaces[world.triangles[s.triangle].material].emission);
+    EXPECT_LT(glm::distance(s.irradiance * pdf, radiance), 1e-5 * glm::length(radiance));
+    EXPECT_NEAR(s.extent * s.extent * pdf, 1 / cosine, 1e-4 / cosine);
+  }
+  const auto dark = std::find_if(world.triangles.begin(), world.triangles.end(), [&](const WorldTriangle& t) {
+    return world.surfaces[t.material].emission == glm::vec3(0);
+  });
+  EXPECT_EQ(reference::area_light_pdf(world, static_cast<std::uint32_t>(dark - world.triangles.begin()), 1, 1), 0);
 }
 
 // The pixel of a very bright spot in a large image, and pixels beside it that are dark, or black.
