@@ -5,7 +5,7 @@
 FETCH_TABLE(BIND_TEXTURES, textures)
 FETCH_WORDS(BIND_IMAGES, images)
 
-layout(constant_id = 20) const uint TEXTURES = 15u;  // TEXTURE_* that the scene's materials have
+layout(constant_id = 20) const uint TEXTURES = 31u;  // TEXTURE_* that the scene's materials have
 
 // Texture coordinates of both sets, and how they change along a triangle's edges.
 struct TexturePlace {
@@ -43,17 +43,18 @@ vec3 linear(vec3 encoded) {
   return mix(pow((encoded + 0.055) / 1.055, vec3(2.4)), encoded / 12.92, lessThanEqual(encoded, vec3(0.04045)));
 }
 
-vec4 fetch_image(Texture texture, int x, int y) {
+vec4 fetch_image(Texture texture, int x, int y, bool srgb) {
   uint i = uint(y) * texture.width + uint(x);
-  bool deep = (texture.reading & READS_DEEP) != 0u;
+  bool deep = (TEXTURES & TEXTURE_DEEP) != 0u && (texture.reading & READS_DEEP) != 0u;
   uint word = texture.first + (deep ? 2u * i : i);
   uint low = FETCH_WORD(images, word);
   vec4 color = unpackUnorm4x8(low);
   if (deep) color = vec4(unpackUnorm2x16(low), unpackUnorm2x16(FETCH_WORD(images, word + 1u)));
-  return vec4((texture.reading & READS_SRGB) != 0u ? linear(color.xyz) : color.xyz, color.w);
+  return vec4(srgb ? linear(color.xyz) : color.xyz, color.w);
 }
 
-vec4 look_up(Texture texture, vec4 coordinates) {
+// `srgb`: its colours are encoded so, as a material's colours are; known when compiled, since decoding takes time.
+vec4 look_up(Texture texture, vec4 coordinates, bool srgb) {
   vec3 at = vec3(of_set(texture, coordinates), 1.0);
   uint wrap_s = (texture.reading >> WRAP_S_SHIFT) & WRAP_MASK, wrap_t = (texture.reading >> WRAP_T_SHIFT) & WRAP_MASK;
   vec2 place = vec2(fold(dot(texture.s, at), wrap_s), fold(dot(texture.t, at), wrap_t)) * vec2(texture.width, texture.height);
@@ -61,14 +62,14 @@ vec4 look_up(Texture texture, vec4 coordinates) {
   if (!nearest) place -= 0.5;  // texels' centres lie at halves
   vec2 corner = floor(place), part = nearest ? vec2(0.0) : place - corner;
   ivec2 x = neighbours(corner.x, texture.width, wrap_s), y = neighbours(corner.y, texture.height, wrap_t);
-  return mix(mix(fetch_image(texture, x.x, y.x), fetch_image(texture, x.y, y.x), part.x),
-             mix(fetch_image(texture, x.x, y.y), fetch_image(texture, x.y, y.y), part.x), part.y);
+  return mix(mix(fetch_image(texture, x.x, y.x, srgb), fetch_image(texture, x.y, y.x, srgb), part.x),
+             mix(fetch_image(texture, x.x, y.y, srgb), fetch_image(texture, x.y, y.y, srgb), part.x), part.y);
 }
 
 // The shading normal as the texture tells it, in the frame of what its image shows to the right and upwards. Left as it is where
 // the coordinates have no such frame; kept off the facet's plane.
 vec3 bent_normal(SurfacePoint point, TexturePlace place, Texture texture, float scale) {
-  vec3 told = (2.0 * look_up(texture, place.at).xyz - 1.0) * vec3(scale, scale, 1.0);
+  vec3 told = (2.0 * look_up(texture, place.at, false).xyz - 1.0) * vec3(scale, scale, 1.0);
   vec2 b = of_set(texture, place.ab), c = of_set(texture, place.ac);
   vec2 s = vec2(dot(texture.s.xy, b), dot(texture.s.xy, c)), t = vec2(dot(texture.t.xy, b), dot(texture.t.xy, c));
   float determinant = s.x * t.y - s.y * t.x;
@@ -89,14 +90,14 @@ Surface with_textures(Surface s, inout SurfacePoint point) {
   TexturePlace place = texture_place(point.coordinates, point.weights);
   vec3 base = s.albedo;
   float metallic = factors.x, roughness = factors.y;
-  if ((TEXTURES & TEXTURE_BASE) != 0u && of.x != 0u) base *= look_up(fetch_texture(of.x), place.at).xyz;
+  if ((TEXTURES & TEXTURE_BASE) != 0u && of.x != 0u) base *= look_up(fetch_texture(of.x), place.at, true).xyz;
   if ((TEXTURES & TEXTURE_METALLIC_ROUGHNESS) != 0u && of.y != 0u) {
-    vec4 told = look_up(fetch_texture(of.y), place.at);
+    vec4 told = look_up(fetch_texture(of.y), place.at, false);
     metallic *= told.z;
     roughness *= told.y;
   }
   if ((TEXTURES & TEXTURE_NORMAL) != 0u && of.z != 0u) point.shading = bent_normal(point, place, fetch_texture(of.z), factors.w);
-  if ((TEXTURES & TEXTURE_EMISSIVE) != 0u && of.w != 0u) s.emission *= look_up(fetch_texture(of.w), place.at).xyz;
+  if ((TEXTURES & TEXTURE_EMISSIVE) != 0u && of.w != 0u) s.emission *= look_up(fetch_texture(of.w), place.at, true).xyz;
   return textured(s, base, metallic, max(roughness, factors.z));
 }
 
@@ -107,5 +108,5 @@ vec3 emitted_part(uint triangle, vec2 weights) {
   if (set == 0u) return vec3(1.0);
   uint texture = FETCH(textures, 2u * (set - 1u)).w;
   if (texture == 0u) return vec3(1.0);
-  return look_up(fetch_texture(texture), texture_place(FETCH(scene, record + 2u).w, weights).at).xyz;
+  return look_up(fetch_texture(texture), texture_place(FETCH(scene, record + 2u).w, weights).at, true).xyz;
 }

@@ -24,8 +24,8 @@ shared::Texture pack(const Texture& texture, std::uint32_t first) {
   packed.first = first;
   packed.width = texture.image->width;
   packed.height = texture.image->height;
-  packed.reading = (texture.srgb ? shared::READS_SRGB : 0) | (texture.image->deep ? shared::READS_DEEP : 0) |
-                   (texture.nearest ? shared::READS_NEAREST : 0) | (texture.set == 1 ? shared::READS_SECOND_SET : 0) |
+  packed.reading = (texture.image->deep ? shared::READS_DEEP : 0) | (texture.nearest ? shared::READS_NEAREST : 0) |
+                   (texture.set == 1 ? shared::READS_SECOND_SET : 0) |
                    wrap_bits(texture.wrap_s) << shared::WRAP_S_SHIFT |
                    wrap_bits(texture.wrap_t) << shared::WRAP_T_SHIFT;
   return packed;
@@ -72,6 +72,7 @@ std::uint32_t kinds_of(const World& world) {
     kinds |= (m.base != 0 ? shared::TEXTURE_BASE : 0) |
              (m.metallic_roughness != 0 ? shared::TEXTURE_METALLIC_ROUGHNESS : 0) |
              (m.normal != 0 ? shared::TEXTURE_NORMAL : 0) | (m.emissive != 0 ? shared::TEXTURE_EMISSIVE : 0);
+  for (const Texture& texture : world.textures) kinds |= texture.image->deep ? shared::TEXTURE_DEEP : 0;
   return kinds;
 }
 

@@ -13,10 +13,11 @@ struct MaterialTextures {
   float normal_scale;
 };
 
-const uint TEXTURE_BASE = 1u, TEXTURE_METALLIC_ROUGHNESS = 2u, TEXTURE_NORMAL = 4u, TEXTURE_EMISSIVE = 8u;
+const uint TEXTURE_BASE = 1u, TEXTURE_METALLIC_ROUGHNESS = 2u, TEXTURE_NORMAL = 4u, TEXTURE_EMISSIVE = 8u,
+           TEXTURE_DEEP = 16u;  // some have 16 bits a channel
 
 // How a texture is read: bits, and the wrapping of its two directions.
-const uint READS_SRGB = 1u, READS_DEEP = 2u, READS_NEAREST = 4u, READS_SECOND_SET = 8u;
+const uint READS_DEEP = 1u, READS_NEAREST = 2u, READS_SECOND_SET = 4u;
 const uint WRAP_S_SHIFT = 4u, WRAP_T_SHIFT = 6u, WRAP_MASK = 3u;
 const uint WRAP_REPEAT = 0u, WRAP_CLAMP = 1u, WRAP_MIRROR = 2u;
 
