@@ -135,9 +135,12 @@ TEST(Environment, UniformLightsAFloorByItsAlbedo) {
 TEST(Environment, IsAFurnaceForConvexSolids) {
   REQUIRE_DEVICE();
   for (const double albedo : {1.0, 0.5})
-    for (const bool on_gpu : {true, false}) {
+    for (const auto& [integrator, on_gpu] :
+         {std::pair(Integrator::targeted, true), std::pair(Integrator::targeted, false),
+          std::pair(Integrator::path, false)}) {
       RenderOptions options = test::small_options(4000, 64, 48);
       options.diffuse_bounces = 4;
+      options.integrator = integrator;
       const auto setup = test::make_setup("box", options, [&](Scene& scene) {
         std::erase_if(scene.objects, [](const Object& o) { return o.name != "box"; });
         for (Material& m : scene.materials) m.base_color = dvec3(albedo);
