@@ -89,7 +89,7 @@ Film::Film(const Crop& crop, const std::vector<std::string>& aovs, const MapScal
       origin_(origin),
       pass_(crop.pixels()),
       pass_weight_(crop.pixels()),
-      beauty_(crop.pixels()) {
+      beauty_(crop.pixels(), crop.width()) {
   for (const Aov& a : all_aovs())
     if (std::find(aovs.begin(), aovs.end(), a.name) != aovs.end())
       aovs_.push_back({a.name, a.channels, std::vector<double>(crop.pixels() * a.channels.size())});

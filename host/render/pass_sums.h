@@ -11,7 +11,9 @@ namespace meniscal {
 
 class PassSums {
  public:
-  explicit PassSums(std::size_t pixels) : squares_(pixels), halves_{Half(pixels), Half(pixels)} {}
+  // `width`: pixels of a row.
+  PassSums(std::size_t pixels, std::size_t width)
+      : width_(width), squares_(pixels), halves_{Half(pixels), Half(pixels)} {}
 
   void add(std::uint32_t pass, const std::vector<glm::dvec3>& image);
 
@@ -46,6 +48,9 @@ class PassSums {
     glm::dvec3 slope(std::size_t pixel) const;  // over the blur, by least squares
   };
 
+  double slope_noise() const;
+
+  std::size_t width_;
   std::uint32_t passes_ = 0;
   std::vector<glm::dvec3> squares_;
   std::array<Half, 2> halves_;

@@ -17,7 +17,7 @@ namespace {
 using test::Outcome;
 using test::TemporaryFolder;
 
-constexpr Crop kCrop{0, 0, 64, 64};
+constexpr Crop kCrop{0, 0, 256, 256};
 
 // Passes that take as long as they are told, of a grey image whose pixels differ from pass to pass by +-spread.
 class FakeBackend final : public Backend {
@@ -138,16 +138,16 @@ TEST(Stopping, SaysHowManyPassesThereWillBe) {
   EXPECT_GT(passes, 8u);
 }
 
-// A picture that sharpens from pass to pass, as the area of footprints shrinks.
+// A picture that sharpens from pass to pass, as footprints shrink.
 TEST(ErrorEstimate, CountsTheBlurThatIsLeft) {
   constexpr std::size_t pixels = 4000;
   for (const double noise : {0.0, 0.2}) {
-    PassSums sums(pixels);
+    PassSums sums(pixels, 80);
     std::uint32_t state = 7;
     for (std::uint32_t pass = 0; pass < 16; ++pass) {
       std::vector<glm::dvec3> image(pixels);
       for (std::size_t i = 0; i < pixels; ++i) {
-        const double blur = (i % 2 == 0 ? 0.1 : -0.1) * std::pow(pass + 1.0, -0.5);
+        const double blur = (i % 2 == 0 ? 0.1 : -0.1) * std::pow(pass + 1.0, -0.45);
         state = state * 1664525u + 1013904223u;
         image[i] = glm::dvec3(1 + blur + ((state >> 16) % 2 == 0 ? noise : -noise) * std::pow(pass + 1.0, 0.25));
       }
@@ -194,6 +194,13 @@ TEST(Stopping, WhenTheTimeOfTheProcessIsUp) {
   const double seconds = stats.at("seconds").at("total").get<double>();
   EXPECT_GT(seconds, 1.7);
   EXPECT_LT(seconds, 2.1) << "5 % more than asked for";
+}
+
+TEST(StoppingSlow, EndsWithinATwentiethOfTheTime) {
+  const TemporaryFolder folder;
+  const nlohmann::json stats = rendered(folder, "shadow_sausage", "--photons 5000 --time 12", "some.exr");
+  EXPECT_EQ(stats.at("stopped_by"), "time");
+  EXPECT_NEAR(stats.at("seconds").at("total").get<double>(), 12, 0.6);
 }
 
 }  // namespace
