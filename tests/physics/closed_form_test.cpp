@@ -82,7 +82,7 @@ TEST_P(Rainbow, StandsAtTheAngleOfLeastDeflection) {
       const auto hit = tracer.closest(path.ray, INFINITY, path.triangle);
       if (!hit) break;
       const shared::Surface& surface = setup->world.surfaces[setup->world.triangles[hit->triangle].material];
-      const double reflectance = reference::scatter_specular(path, *hit, surface, tracer, way);
+      const double reflectance = reference::scatter_specular(path, *hit, surface, tracer, way, glm::dvec2(0));
       weight *= way > 0 ? 1 - reflectance : reflectance;
       ++inside;
     }

@@ -24,7 +24,7 @@ struct Paths {
 class Gloss : public testing::TestWithParam<std::tuple<Finish, Paths>> {};
 
 std::unique_ptr<test::Setup> make_floor(const Finish& finish, const Paths& paths, const Environment& sky) {
-  RenderOptions options = test::small_options(1000, 16, 16);
+  RenderOptions options = test::small_options(1000, 32, 32);
   options.quality = paths.quality;
   options.samples = 8;
   options.diffuse_bounces = paths.diffuse_bounces;
@@ -60,9 +60,10 @@ TEST_P(Gloss, IsThatOfAUniformSky) {
   const auto setup = make_floor(finish, paths, test::make_sky(32, 16, [](int, int) { return glm::vec3(1); }));
   GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
   Film film(setup->settings.crop, {}, {});
-  render_passes(gpu, {0, 16}, film, [](const Tallies&) { return true; });
+  render_passes(gpu, {0, 64}, film, [](const Tallies&) { return true; });
+  const Image image = film.image(32, 32);
   double mean = 0;
-  for (const float v : film.image(16, 16).layers[0].pixels) mean += double(v) / (3 * 256);
+  for (const float v : image.layers[0].pixels) mean += double(v) / (3 * 32 * 32);
   const double expected = reflected(setup->world);
   std::printf("radiance %.5f, expected %.5f\n", mean, expected);
   EXPECT_NEAR(mean, expected, 0.01 * expected);
