@@ -108,5 +108,5 @@ vec3 emitted_part(uint triangle, vec2 weights) {
   if (set == 0u) return vec3(1.0);
   uint texture = FETCH(textures, 2u * (set - 1u)).w;
   if (texture == 0u) return vec3(1.0);
-  return look_up(fetch_texture(texture), texture_place(FETCH(scene, record + 2u).w, weights).at, true).xyz;
+  return look_up(fetch_texture(texture), texture_place(FETCH(scene, record + 3u).w, weights).at, true).xyz;
 }

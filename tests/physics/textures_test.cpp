@@ -147,16 +147,17 @@ TEST(MetallicRoughness, FactorsMultiplyAndTheClassStays) {
   EXPECT_EQ(s.specular, 0);
   EXPECT_NEAR(double(s.alpha), std::pow(0.8 * 128 / 255, 2), 1e-6);
   EXPECT_NEAR(double(s.f0.y), glm::mix(0.04, 0.6, 0.5 * 0.2), 1e-6);
-  EXPECT_NEAR(double(s.albedo.z), 0.4, 1e-6);
+  EXPECT_NEAR(double(s.albedo.z), 0.4 * (1 - 0.5 * 0.2), 1e-6);
   // A smooth place of a rough material stays rough, if only just.
   s = surface_with(0.5, 0.8, {0, 51}, {255, 255});
   EXPECT_EQ(s.specular, 0);
   EXPECT_NEAR(double(s.alpha), 0.05 * 0.05, 1e-8);
-  // Smooth all over, though the factor alone is not: a mirror where it is metal.
+  // Smooth all over, though the factor alone is not: a mirror, as much as it is metal.
   s = surface_with(1, 0.8, {10, 51}, {0, 255});
   EXPECT_EQ(s.kind, shared::SPECULAR_MIRROR);
   EXPECT_EQ(s.alpha, 0);
-  EXPECT_NEAR(double(s.specular), 0.2, 1e-6);
+  EXPECT_NEAR(double(s.f0.y), glm::mix(0.04, 0.6, 0.2), 1e-6);
+  EXPECT_NEAR(double(s.albedo.z), 0.4 * (1 - 0.2), 1e-6);
 }
 
 // Texels of a lamp, of which the left half is dark.
