@@ -20,10 +20,11 @@ Seen seen(const Samples& samples, std::size_t i) {
   return {samples.pixels[i], samples.gloss.empty() ? none : samples.gloss[i]};
 }
 
-// Radiance by one map or the lights.
+// Radiance by one map or the lights. Where a face holds nearly all light back, rounding leaves less than none.
 using Part = glm::vec3 PixelSample::*;
 glm::dvec3 reflected(const Seen& s, Part irradiance, glm::vec3 PixelGloss::*beyond, double scale) {
-  return (glm::dvec3(s.pixel.weight) * glm::dvec3(s.pixel.*irradiance) + glm::dvec3(s.gloss.*beyond)) * scale;
+  const glm::dvec3 lambert = glm::dvec3(s.pixel.weight) * glm::dvec3(s.pixel.*irradiance);
+  return glm::max(lambert + glm::dvec3(s.gloss.*beyond), 0.0) * scale;
 }
 glm::dvec3 direct(const Seen& s) { return reflected(s, &PixelSample::direct, &PixelGloss::direct, 1); }
 glm::dvec3 targeted(const Seen& s, double scale) {
