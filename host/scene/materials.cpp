@@ -52,12 +52,6 @@ glm::dvec3 vector(const std::vector<double>& values, const std::string& object, 
   return result;
 }
 
-void warn_of_what_is_left_out(const tinygltf::Material& material, const Factors& specular, const std::string& object,
-                              Messages& messages) {
-  if (material.alphaMode != "OPAQUE") messages.warn(object, fmt::format("alphaMode {} is ignored", material.alphaMode));
-  if (specular.color("specularColorFactor") != glm::dvec3(1)) messages.warn(object, "specularColorFactor is ignored");
-}
-
 // Beer-Lambert coefficients from KHR_materials_volume: attenuationColor is what remains after attenuationDistance.
 glm::dvec3 absorption(const Factors& volume) {
   const double distance = volume.number("attenuationDistance", infinity, positive);
@@ -96,12 +90,13 @@ Material read_material(const tinygltf::Model& model, std::size_t index, Images& 
   material.transmission = transmission.number("transmissionFactor", 0, unit);
   material.ior = ior.number("ior", material.ior, {1, infinity});
   material.specular = specular.number("specularFactor", 1, unit);
+  material.specular_color = specular.color("specularColorFactor");
   material.has_thickness = volume.number("thicknessFactor", 0, not_negative) > 0;
   material.absorption = absorption(volume);
   material.emission = vector(source.emissiveFactor, object, "emissiveFactor", not_negative, messages) *
                       emissive.number("emissiveStrength", 1, not_negative);
   material.double_sided = source.doubleSided;
-  warn_of_what_is_left_out(source, specular, object, messages);
+  if (source.alphaMode != "OPAQUE") messages.warn(object, fmt::format("alphaMode {} is ignored", source.alphaMode));
 
   const Extras extras(source.extras, object, messages);
   constexpr Range angle{0, 180};

@@ -35,10 +35,11 @@ struct Material {
   double metallic = 1, roughness = 1;  // glTF's defaults
   double transmission = 0;
   double ior = 1.5;
-  double specular = 1;         // KHR_materials_specular: specularFactor
-  bool has_thickness = false;  // KHR_materials_volume with thicknessFactor > 0
-  glm::dvec3 absorption{0};    // 1/m per channel, from attenuation colour and distance
-  glm::dvec3 emission{0};      // radiance, emissiveFactor * emissiveStrength
+  double specular = 1;           // KHR_materials_specular: specularFactor
+  glm::dvec3 specular_color{1};  // and specularColorFactor, of what is met straight on
+  bool has_thickness = false;    // KHR_materials_volume with thicknessFactor > 0
+  glm::dvec3 absorption{0};      // 1/m per channel, from attenuation colour and distance
+  glm::dvec3 emission{0};        // radiance, emissiveFactor * emissiveStrength
   bool double_sided = false;
   // Factors on base colour; roughness (green) and metallic (blue); emission. Liquids have none.
   std::optional<Texture> base_color_texture, metallic_roughness_texture, normal_texture, emissive_texture;

@@ -15,7 +15,7 @@ shared::Surface make_surface(const Material& m, bool closed) {
 
   shared::Surface s{};
   const double straight = (m.ior - 1) / (m.ior + 1);
-  s.f0 = glm::vec3(static_cast<float>(m.specular * straight * straight));
+  s.f0 = glm::vec3(m.specular * glm::min(straight * straight * m.specular_color, 1.0));
   s.f90 = static_cast<float>(m.specular);
   s.ior = static_cast<float>(m.ior);
   s.alpha = smooth ? 0.0f : 1.0f;

@@ -1,6 +1,7 @@
 // Materials, liquids, extras, cameras and lights (host/scene/materials.h, liquids.h, extras.h, placement.h).
 #include <numbers>
 
+#include "host/world/surfaces.h"
 #include "tests/unit/scene_fixture.h"
 
 namespace meniscal::testing {
@@ -34,7 +35,7 @@ TEST_F(SceneContent, MaterialFactorsAndExtensions) {
                 {"extensions",
                  {{"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
                   {"KHR_materials_ior", {{"ior", 1.4}}},
-                  {"KHR_materials_specular", {{"specularFactor", 0.0}}},
+                  {"KHR_materials_specular", {{"specularFactor", 0.0}, {"specularColorFactor", {1, 0.5, 2}}}},
                   {"KHR_materials_emissive_strength", {{"emissiveStrength", 20}}},
                   {"KHR_materials_volume",
                    {{"thicknessFactor", 0.01}, {"attenuationDistance", 0.5}, {"attenuationColor", {1, 0.5, 0.25}}}}}}});
@@ -45,11 +46,26 @@ TEST_F(SceneContent, MaterialFactorsAndExtensions) {
   EXPECT_EQ(m.transmission, 0.75);
   EXPECT_EQ(m.ior, 1.4);
   EXPECT_EQ(m.specular, 0);
+  EXPECT_EQ(m.specular_color, dvec3(1, 0.5, 2));
   EXPECT_EQ(m.emission, dvec3(20, 10, 0));
   EXPECT_TRUE(m.double_sided);
   EXPECT_TRUE(m.has_thickness);
   // Half of the green is left after 0.5 m: exp(-a 0.5) = 0.5.
   EXPECT_NEAR3(m.absorption, dvec3(0, 2 * std::log(2), 4 * std::log(2)), 1e-12);
+}
+
+// KHR_materials_specular: f0 is that of the ior, coloured, at the most 1, and scaled; f90 is scaled alone.
+TEST(Surface, ReflectsStraightOnInTheSpecularColor) {
+  Material m;
+  m.metallic = 0;
+  m.ior = 3;  // 0.25
+  m.specular = 0.5;
+  m.specular_color = dvec3(0.2, 1, 8);
+  const shared::Surface s = make_surface(m, false);
+  EXPECT_NEAR(double(s.f0.x), 0.025, 1e-7);
+  EXPECT_NEAR(double(s.f0.y), 0.125, 1e-7);
+  EXPECT_NEAR(double(s.f0.z), 0.5, 1e-7);
+  EXPECT_EQ(s.f90, 0.5f);
 }
 
 TEST_F(SceneContent, MaterialDefaultsAreThoseOfGltf) {
