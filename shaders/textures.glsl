@@ -76,7 +76,7 @@ vec3 bent_normal(SurfacePoint point, TexturePlace place, Texture texture, float 
   vec3 right = (t.y * point.ab - t.x * point.ac) * sign(determinant);
   right -= point.shading * dot(point.shading, right);
   float length2 = dot(right, right);
-  if (determinant == 0.0 || !(length2 > 0.0)) return point.shading;
+  if (determinant == 0.0 || !(length2 > 0.0) || !(dot(told, told) > 1e-12)) return point.shading;
   right *= inversesqrt(length2);
   // The image's vertical runs downwards: unmirrored where the determinant is negative.
   vec3 up = cross(point.shading, right) * (determinant < 0.0 ? 1.0 : -1.0);

@@ -15,6 +15,7 @@
 #include "host/world/media.h"
 #include "host/world/menisci.h"
 #include "host/world/world.h"
+#include "shaders/shared/material.h"
 
 namespace meniscal {
 namespace {
@@ -49,22 +50,23 @@ Json objects_of(const Scene& scene) {
   return list;
 }
 
-std::string optics_of(std::uint32_t kind) {
-  switch (kind) {
+std::string optics_of(const shared::Surface& s) {
+  const std::string frosted = shared::is_rough_specular(s) ? ", frosted" : "";
+  switch (s.kind) {
     case shared::SPECULAR_MIRROR:
-      return "mirror";
+      return s.specular < 1 ? "mirror in part, diffuse below" : "mirror";
     case shared::SPECULAR_DIELECTRIC:
-      return "refracts";
+      return "refracts" + frosted;
     case shared::SPECULAR_THIN:
-      return "thin-walled, does not refract";
+      return "thin-walled, does not refract" + frosted;
     default:
-      return "diffuse";
+      return shared::is_glossy(s) ? "diffuse, glossy" : "diffuse";
   }
 }
 
 Json material_of(const Material& m, const shared::Surface& surface, const Scene& scene) {
   Json json{{"name", name_of(m)},
-            {"optics", optics_of(surface.kind)},
+            {"optics", optics_of(surface)},
             {"base_color", triple(m.base_color)},
             {"metallic", m.metallic},
             {"roughness", m.roughness},

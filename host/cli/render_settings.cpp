@@ -81,7 +81,11 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
             options.integrator == Integrator::ordinary ? light_beams(world, photons)
                                                        : make_beams(world, default_starts(world), photons));
   set_global(settings, options, world);
-  settings.bounces_gloss = world.glossy && settings.diffuse_bounces > 0 && settings.integrator != Integrator::path;
+  // Smooth faces have no lobe to follow.
+  settings.bounces_gloss = world.glossy && settings.diffuse_bounces > 0 &&
+                           std::any_of(world.surfaces.begin(), world.surfaces.end(), [](const shared::Surface& s) {
+                             return s.alpha > 0 && (s.specular < 1 || s.textures != 0);
+                           });
   return settings;
 }
 

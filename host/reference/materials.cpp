@@ -56,7 +56,7 @@ glm::dvec3 bent_normal(const WorldTriangle& t, const Texture& texture, const std
   const double orientation = glm::dot(tangent, right);
   if (orientation < 0) tangent = -tangent;
   tangent -= shading * glm::dot(shading, tangent);
-  if (orientation == 0 || !(glm::length(tangent) > 0)) return shading;
+  if (orientation == 0 || !(glm::length(tangent) > 0) || !(glm::dot(told, told) > 1e-12)) return shading;
   tangent = glm::normalize(tangent);
   glm::dvec3 up = glm::cross(shading, tangent);
   // Unmirrored, right and down turn clockwise as seen from outside.

@@ -94,7 +94,10 @@ inline bool shows_caustics(const RenderSettings& settings, const View& view) {
   return !view.bounced || !settings.final_gathering;
 }
 inline bool shows_global(const RenderSettings& settings, const View& view) {
-  return settings.global.count() > 0 && (view.bounced || !settings.final_gathering);
+  if (settings.global.count() == 0) return false;
+  // Where the map is shown as it is, photons have taken all bounces: of one, a further one by a lobe leaves none.
+  if (view.bounced) return settings.final_gathering || settings.diffuse_bounces > 1;
+  return !settings.final_gathering;
 }
 // Part of an outer face's lobe by which the global map is reflected: bounced paths have it where the camera looks.
 inline float global_lobe_part(const View& view) { return view.bounced ? 1 : 0; }

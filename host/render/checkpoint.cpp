@@ -14,7 +14,7 @@
 namespace meniscal {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31305450'4353494d;  // "MISCPT01": the last two are the format's version
+constexpr std::uint64_t kMagic = 0x32305450'4353494d;  // "MISCPT02": the last two are the format's version
 constexpr std::uint64_t kMostUnknown = 1 << 20;        // numbers in a list whose length nothing else tells
 
 // FNV-1a: finds damage, not malice.

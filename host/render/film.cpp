@@ -24,7 +24,11 @@ Seen seen(const Samples& samples, std::size_t i) {
 using Part = glm::vec3 PixelSample::*;
 glm::dvec3 reflected(const Seen& s, Part irradiance, glm::vec3 PixelGloss::*beyond, double scale) {
   const glm::dvec3 lambert = glm::dvec3(s.pixel.weight) * glm::dvec3(s.pixel.*irradiance);
-  return glm::max(lambert + glm::dvec3(s.gloss.*beyond), 0.0) * scale;
+  glm::dvec3 sum = lambert + glm::dvec3(s.gloss.*beyond);
+  // No more than rounding: where samples keep what another was told, a sum alone may be below 0 that their mean is not.
+  for (int c = 0; c < 3; ++c)
+    if (sum[c] < 0 && -sum[c] <= 1e-4 * lambert[c]) sum[c] = 0;
+  return sum * scale;
 }
 glm::dvec3 direct(const Seen& s) { return reflected(s, &PixelSample::direct, &PixelGloss::direct, 1); }
 glm::dvec3 targeted(const Seen& s, double scale) {

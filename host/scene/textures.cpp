@@ -71,7 +71,7 @@ std::optional<Texture> read_texture(const tinygltf::Model& model, const Referenc
     messages.warn(object, fmt::format("{} {}: its factor alone counts", source.key, why));
     return std::nullopt;
   };
-  if (set > 1) return leave_out(fmt::format("reads TEXCOORD_{}, of which only 0 and 1 are known", set));
+  if (set < 0 || set > 1) return leave_out(fmt::format("reads TEXCOORD_{}, of which only 0 and 1 are known", set));
   if (file.source < 0) return leave_out("has no image that this loader knows");
   texture.set = set;
   if (file.sampler >= 0) {

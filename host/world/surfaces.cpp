@@ -32,7 +32,7 @@ shared::Surface make_surface(const Material& m, bool closed) {
     if (refracts) s.absorption = glm::vec3(m.absorption);
   } else if (smooth && (s.f0 != glm::vec3(0) || s.f90 > 0 || metallic > 0)) {
     s.kind = shared::SPECULAR_MIRROR;
-    s.specular = textured ? 1.0f : shared::mirror_probability(s, s.f0);
+    s.specular = textured ? 1.0f : std::max(shared::mirror_probability(s, s.f0), 1e-6f);
   }
   return s;
 }

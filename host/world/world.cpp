@@ -188,6 +188,14 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
   build_hierarchy(world);
   build_lights(world, scene);
   world.glossy = reflects_beyond_lambert(world);
+  const bool extentless = std::any_of(world.lights.begin(), world.lights.end(), [](const shared::Light& l) {
+    return l.type == shared::LIGHT_POINT || l.type == shared::LIGHT_SPOT ||
+           (l.type == shared::LIGHT_DIRECTIONAL && !is_sun(l));
+  });
+  if (extentless && std::any_of(world.surfaces.begin(), world.surfaces.end(), shared::is_rough_specular))
+    world.warnings.push_back(scene.file +
+                             ": frosted glass shows no lights without extent, though it lets their light "
+                             "through; give suns an angular_diameter, make lamps of emissive meshes");
   find_media(world);
   build_strata(world);
   if (scene.environment) world.environment = make_environment(*scene.environment, world.cdf);
