@@ -10,8 +10,8 @@ const float MOST_EXTENT = 1.0;
 
 vec3 around(vec3 axis, float sine, float cosine, float turn) {
   vec3 u = tangent(axis), v = cross(axis, u);
-  float angle = 6.283185307179586 * turn;
-  return cosine * axis + sine * (cos(angle) * u + sin(angle) * v);
+  vec2 place = circle(turn);
+  return cosine * axis + sine * (place.x * u + place.y * v);
 }
 
 struct DistantSample {
@@ -37,11 +37,11 @@ DistantSample sample_environment(vec2 place) {
   uint column = pick(columns, ENVIRONMENT_COLUMNS, uint(place.y * 4294967296.0), right, weight);
   uvec4 pixel = FETCH(environment, row * ENVIRONMENT_COLUMNS + column);
   // Uniform in solid angle: in the versine from +Y.
-  float half_row = 1.570796326794897 / float(ENVIRONMENT_ROWS), high = sin(half_row * float(row)), low = sin(half_row * float(row + 1u));
+  float half_row = 0.25 / float(ENVIRONMENT_ROWS), high = circle(half_row * float(row)).y, low = circle(half_row * float(row + 1u)).y;
   float versine = 2.0 * mix(high * high, low * low, down), sine = sqrt(max(versine * (2.0 - versine), 0.0));
-  float azimuth = 6.283185307179586 * ((float(column) + right) / float(ENVIRONMENT_COLUMNS) - 0.5 - ENVIRONMENT_TURN);
+  vec2 azimuth = circle((float(column) + right) / float(ENVIRONMENT_COLUMNS) - 0.5 - ENVIRONMENT_TURN);
   float solid_angle = 1.0 / uintBitsToFloat(pixel.w);
-  return DistantSample(vec3(sine * cos(azimuth), 1.0 - versine, sine * sin(azimuth)), uintBitsToFloat(pixel.xyz) * solid_angle, solid_angle);
+  return DistantSample(vec3(sine * azimuth.x, 1.0 - versine, sine * azimuth.y), uintBitsToFloat(pixel.xyz) * solid_angle, solid_angle);
 }
 
 DistantSample sample_distant(Light light, vec2 place) {
