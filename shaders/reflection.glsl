@@ -1,7 +1,7 @@
 // Reflection by an opaque surface: an outer face that is smooth or rough by GGX, and Lambert's below it, which gets what the face lets
 // through (after glTF 2.0, appendix B; Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007). Directions are unit
 // vectors away from the surface.
-#include "shared/structs.h"
+#include "shared/material.h"
 
 // The outer face of a surface, seen from `outgoing`.
 struct Face {
@@ -15,11 +15,8 @@ const float PI = 3.14159265358979;
 
 float largest(vec3 c) { return max(c.x, max(c.y, c.z)); }
 
-// Schlick's reflectance of a facet that is met at this cosine.
-vec3 reflectance(Face face, float cosine) {
-  float slant = clamp(1.0 - cosine, 0.0, 1.0), slant2 = slant * slant;
-  return face.f0 + (face.f90 - face.f0) * (slant2 * slant2 * slant);
-}
+// Of a facet that is met at this cosine.
+vec3 reflectance(Face face, float cosine) { return schlick(face.f0, face.f90, cosine); }
 
 // Of microfacet normals round the surface's: per solid angle, over their projected area. By the sine, which keeps its digits near the
 // normal.

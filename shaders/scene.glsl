@@ -14,25 +14,24 @@ layout(set = 0, binding = BIND_COUNTERS, std430) buffer Counters { uint counters
 
 // What the plan says of the scene: dead code goes at pipeline creation.
 layout(constant_id = 0) const uint TRIANGLE_BASE = 0u;  // records of the table that are nodes
-layout(constant_id = 1) const bool HAS_DIRECTIONAL = true;
-layout(constant_id = 2) const bool HAS_LOCAL = true;    // point or spot lights
-layout(constant_id = 3) const bool HAS_AREA = true;
-layout(constant_id = 4) const bool HAS_MIRROR = true;
-layout(constant_id = 5) const bool HAS_DIELECTRIC = true;
-layout(constant_id = 6) const bool HAS_THIN = true;
-layout(constant_id = 7) const bool HAS_ABSORPTION = true;
-layout(constant_id = 8) const float SCENE_RADIUS = 1.0;
-layout(constant_id = 9) const bool HAS_DIFFERENTIALS = true;  // paths carry the derivatives that shape photons' discs
-layout(constant_id = 10) const bool HAS_EMISSION = true;  // photons start on the lights
-layout(constant_id = 11) const bool HAS_SCATTERING = true;  // paths go on from diffuse surfaces
-layout(constant_id = 12) const bool HAS_NESTED = true;  // dielectrics lie in each other
-layout(constant_id = 13) const bool HAS_GLOSS = true;   // an outer face above a diffuse surface reflects
-layout(constant_id = 14) const bool HAS_ROUGH = true;   // rough specular surfaces
-layout(constant_id = 15) const uint SUNS = 1u;  // directional lights with an angular diameter: the first of the lights
-layout(constant_id = 16) const uint ENVIRONMENT_COLUMNS = 1u;  // of the image of all directions; 0: none. Its light is the next
-layout(constant_id = 17) const uint ENVIRONMENT_ROWS = 1u;
-layout(constant_id = 18) const uint ENVIRONMENT_FIRST = 0u;  // where the CDF of its rows begins; each row's own follow
-layout(constant_id = 19) const float ENVIRONMENT_TURN = 0.0;  // about +Y, of a full circle
+layout(constant_id = 1) const bool HAS_LOCAL = true;    // point or spot lights
+layout(constant_id = 2) const bool HAS_AREA = true;
+layout(constant_id = 3) const bool HAS_MIRROR = true;
+layout(constant_id = 4) const bool HAS_DIELECTRIC = true;
+layout(constant_id = 5) const bool HAS_THIN = true;
+layout(constant_id = 6) const bool HAS_ABSORPTION = true;
+layout(constant_id = 7) const float SCENE_RADIUS = 1.0;
+layout(constant_id = 8) const bool HAS_DIFFERENTIALS = true;  // paths carry the derivatives that shape photons' discs
+layout(constant_id = 9) const bool HAS_EMISSION = true;  // photons start on the lights
+layout(constant_id = 10) const bool HAS_SCATTERING = true;  // paths go on from diffuse surfaces
+layout(constant_id = 11) const bool HAS_NESTED = true;  // dielectrics lie in each other
+layout(constant_id = 12) const bool HAS_GLOSS = true;   // an outer face above a diffuse surface reflects
+layout(constant_id = 13) const bool HAS_ROUGH = true;   // rough specular surfaces
+layout(constant_id = 14) const uint SUNS = 1u;  // directional lights with an angular diameter: the first of the lights
+layout(constant_id = 15) const uint ENVIRONMENT_COLUMNS = 1u;  // of the image of all directions; 0: none. Its light is the next
+layout(constant_id = 16) const uint ENVIRONMENT_ROWS = 1u;
+layout(constant_id = 17) const uint ENVIRONMENT_FIRST = 0u;  // where the CDF of its rows begins; each row's own follow
+layout(constant_id = 18) const float ENVIRONMENT_TURN = 0.0;  // about +Y, of a full circle
 
 const bool HAS_SUNS = SUNS > 0u;
 const bool HAS_ENVIRONMENT = ENVIRONMENT_COLUMNS > 0u;

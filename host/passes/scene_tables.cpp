@@ -62,7 +62,6 @@ std::vector<std::uint32_t> constants_of(const World& world) {
   using shared::Light;
   return {
       static_cast<std::uint32_t>(world.bvh.nodes.size()),
-      any_light([](const Light& l) { return l.type == shared::LIGHT_DIRECTIONAL; }),
       any_light([](const Light& l) { return l.type == shared::LIGHT_POINT || l.type == shared::LIGHT_SPOT; }),
       any_light([](const Light& l) { return l.type == shared::LIGHT_AREA; }),
       any_surface(shared::SPECULAR_MIRROR),

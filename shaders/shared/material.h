@@ -16,11 +16,13 @@ SHARED Surface with_base(Surface s, vec3 base, float metallic, float roughness) 
   return s;
 }
 
-// Of a smooth outer face above Lambert's surface (SPECULAR_MIRROR), met at this cosine: its reflectance by Schlick.
-SHARED vec3 mirror_reflectance(Surface s, float cosine) {
+// Schlick's reflectance of a face that is met at this cosine.
+SHARED vec3 schlick(vec3 f0, float f90, float cosine) {
   float slant = clamp(1.0f - cosine, 0.0f, 1.0f), slant2 = slant * slant;
-  return s.f0 + (s.f90 - s.f0) * (slant2 * slant2 * slant);
+  return f0 + (f90 - f0) * (slant2 * slant2 * slant);
 }
+// Of a smooth outer face above Lambert's surface (SPECULAR_MIRROR).
+SHARED vec3 mirror_reflectance(Surface s, float cosine) { return schlick(s.f0, s.f90, cosine); }
 // Probability that a path is reflected there; all are where nothing lies below.
 SHARED float mirror_probability(Surface s, vec3 reflectance) {
   return s.albedo.x + s.albedo.y + s.albedo.z > 0.0f ? max(reflectance.x, max(reflectance.y, reflectance.z)) : 1.0f;
