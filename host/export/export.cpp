@@ -9,13 +9,11 @@ Exported export_with_menisci(const std::string& path, MeniscusModel model, doubl
   Messages messages(path);
   const Source source = read_source(path, messages);
   const Scene scene = make_scene(source, messages);
-  Exported result{open_document(source), {}, scene.warnings};
+  Exported result{open_document(source), {}, source.environment_file, scene.warnings};
   result.liquids = raise_menisci(scene, model, meniscus_tolerance, result.warnings);
   if (result.liquids.empty())
     result.warnings.push_back(path + ": has no liquid (material extra meniscus_liquid): written as it is");
   Messages of_export(path);
-  if (scene.environment)
-    result.warnings.push_back(path + ": its environment is named, not written: copy the image beside the new file");
   replace_liquids(result.document, source, scene, result.liquids, of_export);
   result.warnings.insert(result.warnings.end(), of_export.warnings().begin(), of_export.warnings().end());
   compact(result.document);

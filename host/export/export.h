@@ -12,6 +12,7 @@ namespace meniscal::gltf {
 struct Exported {
   Document document;
   std::vector<LiquidSurface> liquids;  // that it now holds
+  std::string environment_file;        // that it names, beside itself as beside the scene; empty: none
   std::vector<std::string> warnings;
 };
 

@@ -45,7 +45,8 @@ std::size_t scale(std::vector<glm::vec3>& colours, double strength) {
 
 }  // namespace
 
-std::optional<Environment> read_environment(const tinygltf::Model& model, AssetFolder& folder, Messages& messages) {
+std::optional<Environment> read_environment(const tinygltf::Model& model, AssetFolder& folder, Messages& messages,
+                                            std::string& file) {
   if (model.scenes.empty()) return std::nullopt;
   const auto index = static_cast<std::size_t>(std::max(model.defaultScene, 0));
   const Extras extras(model.scenes[index].extras, label("scene", model.scenes[index].name, index), messages);
@@ -55,10 +56,11 @@ std::optional<Environment> read_environment(const tinygltf::Model& model, AssetF
   if (!uri) return std::nullopt;
 
   const std::string object = fmt::format("environment \"{}\"", *uri);
-  const std::vector<unsigned char> file = folder.read_beside(*uri);
+  const std::vector<unsigned char> bytes = folder.read_beside(*uri);
+  file = *uri;
   const auto decoded = [&] {
     try {
-      return decode_exr({reinterpret_cast<const char*>(file.data()), file.size()});
+      return decode_exr({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     } catch (const std::exception& error) {
       messages.fail(object, fmt::format("is not a readable EXR image: {}", error.what()), "save it as OpenEXR");
     }

@@ -25,8 +25,10 @@ namespace gltf {
 class AssetFolder;
 class Messages;
 
-// The image that the scene's extras name (`environment`, `environment_rotation`, `environment_strength`), if they do.
-std::optional<Environment> read_environment(const tinygltf::Model& model, AssetFolder& folder, Messages& messages);
+// The image that the scene's extras name (`environment`, `environment_rotation`, `environment_strength`), if they do;
+// `file`: the name.
+std::optional<Environment> read_environment(const tinygltf::Model& model, AssetFolder& folder, Messages& messages,
+                                            std::string& file);
 
 }  // namespace gltf
 }  // namespace meniscal

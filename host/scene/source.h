@@ -15,7 +15,8 @@ struct Source {
   std::string json;       // its text; of buffers that stood in it only names are left
   tinygltf::Model model;  // validated; an image outside buffers holds its file's bytes, undecoded
   std::optional<Environment> environment;
-  std::string hash;  // of all bytes read, hexadecimal
+  std::string environment_file;  // as the scene names it, beside itself; empty: none
+  std::string hash;              // of all bytes read, hexadecimal
 };
 
 // guard -> embedded buffers -> schema -> tinygltf -> validate. Throws Error(ExitCode::scene).

@@ -101,6 +101,36 @@ TEST(Program, WritesASceneWithItsMenisciWholeOrNotAtAll) {
   EXPECT_EQ(test::read_bytes(folder / "a.glb"), before);
 }
 
+// Whatever the container: glTF itself knows no environment.
+TEST(Program, WritesAScenesEnvironmentBesideIt) {
+  const TemporaryFolder folder;
+  nlohmann::json scene = nlohmann::json::parse(test::read_bytes(SCENES "/post.gltf"));
+  scene["scenes"][0]["extras"]["environment"] = "skies/grey.exr";
+  for (const char* name : {"a/skies", "b", "c/skies"}) std::filesystem::create_directories(folder / name);
+  test::write_bytes(folder / "a/scene.gltf", scene.dump());
+  write_grey(folder / "a/skies/grey.exr", 0.5f);
+  const std::string sky = test::read_bytes(folder / "a/skies/grey.exr");
+  const auto written = [&](const std::string& name) {
+    return meniscal(folder, "mesh \"" + folder / "a/scene.gltf" + "\" -o \"" + folder / name + "\"");
+  };
+  for (const char* name : {"a/new.gltf", "b/new.gltf", "b/new.glb"}) {
+    const Outcome o = written(name);
+    EXPECT_EQ(o.code, 0) << o.error;
+    EXPECT_EQ(o.error.find("environment"), std::string::npos) << o.error;
+    const Outcome read = meniscal(folder, "info \"" + folder / name + "\"");
+    EXPECT_EQ(read.code, 0) << read.error;
+    EXPECT_NE(read.output.find("2 x 1 pixels"), std::string::npos) << read.output;
+  }
+  EXPECT_EQ(test::read_bytes(folder / "b/skies/grey.exr"), sky);
+
+  test::write_bytes(folder / "c/skies/grey.exr", "another's");
+  const Outcome refused = written("c/new.gltf");
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.error.find("c/skies/grey.exr"), std::string::npos) << refused.error;
+  EXPECT_EQ(test::read_bytes(folder / "c/skies/grey.exr"), "another's");
+  EXPECT_FALSE(std::filesystem::exists(folder / "c/new.gltf"));
+}
+
 TEST(Program, AMissingDeviceIsFourAndNamed) {
   const TemporaryFolder folder;
   const Outcome o = meniscal(folder, kPool + " --device abacus -o \"" + folder / "a.exr" + "\"");
