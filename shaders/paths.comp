@@ -2,88 +2,17 @@
 #extension GL_GOOGLE_include_directive : require
 // Photons, from a target or a light, and camera paths: both go through specular surfaces to the first diffuse one. One kernel, since what
 // they share, tracing and optics, is what a driver takes long to compile.
-#include "emission.glsl"
+#include "starts.glsl"
+#include "camera.glsl"
 #include "shared/branches.h"
 #include "shared/geometry.h"
-#include "shared/starts.h"
 
 layout(push_constant) uniform Push { PathPush push; };
-FETCH_TABLE(BIND_BEAMS, beams)
-FETCH_TABLE(BIND_VIEW, view)
 layout(set = 0, binding = BIND_ENDS, std430) writeonly buffer Ends { PhotonEnd ends[]; };
 layout(set = 0, binding = BIND_DISCS, std430) writeonly buffer Discs { PhotonDisc discs[]; };
 layout(set = 0, binding = BIND_SAMPLES, std430) buffer Samples { PixelSample samples[]; };
 layout(set = 0, binding = BIND_ARRIVALS, std430) writeonly buffer Arrivals { uint arrivals[]; };
 layout(set = 0, binding = BIND_GLOSS, std430) buffer Gloss { PixelGloss glosses[]; };
-
-const uint BEAM_TEXELS = 14u;
-
-Beam fetch_beam(uint i) {
-  uint t = BEAM_TEXELS * i;
-  Beam b;
-  uvec4 a = FETCH(beams, t), u = FETCH(beams, t + 1u), v = FETCH(beams, t + 2u), window = FETCH(beams, t + 3u);
-  uvec4 own = FETCH(beams, t + 4u), finer = FETCH(beams, t + 5u), fade = FETCH(beams, t + 6u);
-  uvec4 start = FETCH(beams, t + 7u), rest = FETCH(beams, t + 8u);
-  b.corner = uintBitsToFloat(a.xyz), b.first = a.w;
-  b.u = uintBitsToFloat(u.xyz), b.count = u.w;
-  b.v = uintBitsToFloat(v.xyz), b.kind = v.w;
-  b.start = window.xy, b.extent = window.zw;
-  b.own = uintBitsToFloat(own), b.finer = uintBitsToFloat(finer);
-  b.own_fade = uintBitsToFloat(fade.xy), b.finer_fade = uintBitsToFloat(fade.zw);
-  b.map = start.x, b.light = start.y, b.light_first = start.z, b.target_first = start.w;
-  b.target_count = rest.x, b.power = uintBitsToFloat(rest.y), b.reach = uintBitsToFloat(rest.z), b.order_bits = rest.w;
-  return b;
-}
-
-// Which of the beam's starts its i-th photon takes: see Beam.
-uint start_index(uint beam, uint i, uint count, uint bits) {
-  if (i >> bits >= count >> bits) return i;
-  uint index = i >> bits << bits;
-  for (uint c = 0u; 4u * c < bits; ++c) index ^= xor_columns(i >> (4u * c), FETCH(beams, BEAM_TEXELS * beam + 9u + c), bits - 4u * c);
-  return index;
-}
-
-// A point of the beam's targets, uniform by area.
-SurfacePoint start_point(Beam beam, uvec2 start) {
-  float rest, weight;
-  uint triangle = fetch_target(beam.target_first + pick(beam.target_first, beam.target_count, start.x, rest, weight));
-  float root = sqrt(rest);
-  return surface_point(triangle, 1.0 - root, unit_float(start.y) * root);
-}
-
-// In a distant light's view: before all of the scene, on the way through a place in the view. Those of an extended light go through it in
-// directions that change with the start's third and fourth dimensions.
-Path start_in_view(Beam beam, vec2 place, float power, RandomKey key) {
-  Light light = fetch_light(beam.light);
-  vec3 through = beam.corner + place.x * beam.u + place.y * beam.v, direction = light.direction;
-  float extent = 0.0;
-  if (HAS_SUNS && light.cone_versine > 0.0) {
-    uvec2 bits = sobol_point_beyond(key);
-    DistantSample s = sample_sun(light, vec2(unit_float(bits.x), unit_float(bits.y)));
-    direction = -s.direction;
-    extent = sqrt(s.solid_angle);
-  }
-  float cosine = dot(direction, light.direction), before = (1.01 * SCENE_RADIUS + dot(through, light.direction)) / cosine;
-  Path path = start_path(through - before * direction, direction, NO_TRIANGLE, light.intensity * (power * cosine));
-  if (HAS_DIFFERENTIALS) path.differential = start_differential(-light.direction, direction, FAR);
-  if (HAS_DIFFERENTIALS && HAS_SUNS) {
-    path.by_light = light_differential(direction, extent, direction);
-    path.by_light.place0 = -before * path.by_light.direction0;
-    path.by_light.place1 = -before * path.by_light.direction1;
-  }
-  return path;
-}
-
-// Paths from an extended light lie in four dimensions, two of the start and two of the point on the light. Distances there go as the geometric
-// mean of those between starts and the light's image where the photon lands (`image`: its area, m2), if that is wider. The factors were
-// measured with lights of 0.6 to 6 degrees and 8,000 to 100,000 photons. Widens `reach`, the half-width of a disc in the facet that the
-// path started on, m, and gives the half-width on the light, in units of its extent.
-float widen(inout float reach, float image) {
-  if (!(image > 0.0)) return 0.0;
-  float extent = sqrt(image), ratio = sqrt(reach / extent);
-  reach = max(reach, 2.0 * sqrt(reach * extent));
-  return 0.5 * min(ratio, 1.0);
-}
 
 float mean(vec3 colour) { return dot(colour, vec3(1.0 / 3.0)); }
 
@@ -104,32 +33,11 @@ PixelGloss no_gloss() {
                     0.0);
 }
 
-// The part that a path has, by the density of its direction, of what it sees of a light that others have by `other`: the balance heuristic
-// (Veach 1997).
-float balance(float own, float other) { return own > 0.0 ? own / (own + other) : 0.0; }
-
 // Of a light that a camera path meets, the part that is its own; the surface that a bounced path has left asks lights itself, with this
 // density.
 float seen_part(Scattering bounce, bool straight, float asked_pdf) {
   if (push.bounced == 0u) return 1.0;
   return HAS_GLOSS && straight && bounce.by_lobe ? balance(bounce.pdf, asked_pdf) : 0.0;
-}
-
-// A camera path's start through a place in pixels, from the image's upper left corner.
-Path camera_path(vec2 pixel) {
-  vec3 right = uintBitsToFloat(FETCH(view, 0u).xyz), up = uintBitsToFloat(FETCH(view, 1u).xyz);
-  uvec4 axis = FETCH(view, 2u), eye = FETCH(view, 3u);
-  vec2 size = vec2(FETCH(view, 4u).xy);
-  vec3 offset = (2.0 * pixel.x / size.x - 1.0) * right + (1.0 - 2.0 * pixel.y / size.y) * up;
-  vec3 origin = uintBitsToFloat(eye.xyz), forward = uintBitsToFloat(axis.xyz);
-  bool orthographic = eye.w != 0u;
-  if (orthographic) origin += offset;
-  else forward += offset;
-  Path path = start_path(origin, normalize(forward), NO_TRIANGLE, vec3(1.0));
-  if (HAS_NESTED) be_in(path, FETCH(view, 6u));
-  if (HAS_DIFFERENTIALS)
-    path.differential = camera_differential(2.0 / size.x * right, -2.0 / size.y * up, path.direction, length(forward), orthographic);
-  return path;
 }
 
 // Whether the path meets the specular part of a surface; where a mirror's face divides a camera path's light (`divides`), it takes its
@@ -142,7 +50,7 @@ bool meets_its_part(inout Path path, SurfacePoint point, Surface surface, float 
       path.throughput *= way_weight(push.branch, s.split, way, probability);
       s.split = next_split(push.branch, s.split, way);
       if (way == WAY_REFLECTED) s.emitted = vec3(0.0);
-      if (way != WAY_BY_ROULETTE) random = way == WAY_REFLECTED ? 0.0 : 0.99999994;
+      random = way_number(way, random);
     }
   }
   return meets_specular(path, point, surface, random, certain);
@@ -326,7 +234,7 @@ void main() {
         end = END_DROPPED;  // beams towards the targets have its light
         break;
       }
-      if (way != WAY_BY_ROULETTE) choice = way == WAY_REFLECTED ? 0.0 : 0.99999994;
+      choice = way_number(way, choice);
       if (met < push.specular_bounces) {
         float reflectance = scatter_specular(path, point, surface, crossing, choice, facet);
         if (camera && scattered == 0u && reflectance > 0.0 && reflectance < 1.0) {

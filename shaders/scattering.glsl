@@ -50,3 +50,7 @@ Scattering scatter(inout Path path, SurfacePoint point, Surface surface, vec3 si
   how.goes_on = dot(direction, side) > 0.0 && any(greaterThan(path.throughput, vec3(0.0)));
   return how;
 }
+
+// The part that a path has, by the density of its direction, of what it sees of a light that others have by `other`: the balance heuristic
+// (Veach 1997).
+float balance(float own, float other) { return own > 0.0 ? own / (own + other) : 0.0; }

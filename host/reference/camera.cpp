@@ -55,7 +55,7 @@ glm::dvec2 place_in_pixel(const RenderSettings& settings, const shared::RandomKe
 
 // The way of a path at a mirror's face that divides the light: see branches.h. True where it is reflected.
 bool divide(Path& path, shared::PixelSample& sample, const shared::Surface& surface, const Hit& hit,
-            std::uint32_t branch, double random, float coin) {
+            std::uint32_t branch, float random, float coin) {
   const glm::vec3 face =
       shared::mirror_reflectance(surface, static_cast<float>(std::abs(glm::dot(path.ray.direction, hit.shading))));
   const float probability = shared::mirror_probability(surface, face);
@@ -63,10 +63,7 @@ bool divide(Path& path, shared::PixelSample& sample, const shared::Surface& surf
   const std::uint32_t way = shared::branch_way(branch, sample.split, coin);
   path.throughput *= double(shared::way_weight(branch, sample.split, way, probability));
   sample.split = shared::next_split(branch, sample.split, way);
-  return meets_specular(path, hit, surface,
-                        way == shared::WAY_REFLECTED ? 0
-                        : way == shared::WAY_THROUGH ? 0.99999994
-                                                     : random);
+  return meets_specular(path, hit, surface, double(shared::way_number(way, random)));
 }
 
 }  // namespace
@@ -128,13 +125,13 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
     const std::uint32_t branch = own_way ? shared::BRANCH_ROULETTE : view.branch;
     float split = sample.split;
     const bool divided = surface.kind == shared::SPECULAR_MIRROR;
-    const bool specular = divided && !own_way
-                              ? divide(path, sample, surface, *hit, branch, random, static_cast<float>(coin))
-                              : meets_specular(path, *hit, surface, random);
+    const bool specular = divided && !own_way ? divide(path, sample, surface, *hit, branch, static_cast<float>(random),
+                                                       static_cast<float>(coin))
+                                              : meets_specular(path, *hit, surface, random);
     if (specular) {
       if (met++ == settings.specular_bounces) break;
       const std::uint32_t way = shared::branch_way(branch, split, static_cast<float>(coin));
-      const double choice = way == shared::WAY_REFLECTED ? 0 : way == shared::WAY_THROUGH ? 0.99999994 : coin;
+      const double choice = double(shared::way_number(way, static_cast<float>(coin)));
       const double reflectance = scatter_specular(path, *hit, surface, tracer, choice, facet);
       if (!own_way && reflectance > 0 && reflectance < 1) {
         path.throughput *= double(shared::way_weight(branch, split, way, static_cast<float>(reflectance)));

@@ -28,6 +28,11 @@ SHARED float way_weight(uint branch, float split, uint way, float reflectance) {
   return way == WAY_BY_ROULETTE ? 1.0f : coins * (way == WAY_REFLECTED ? reflectance : 1.0f - reflectance);
 }
 
+// In place of a uniform number that chooses reflection where it is below the part reflected: one that chooses this way.
+SHARED float way_number(uint way, float number) {
+  return way == WAY_REFLECTED ? 0.0f : way == WAY_THROUGH ? 0.99999994f : number;
+}
+
 // Surfaces met so far; on BRANCH_LATER 1 until it is reflected, then 2.
 SHARED float next_split(uint branch, float split, uint way) {
   if (branch == BRANCH_LATER) return way == WAY_REFLECTED ? 2.0f : max(split, 1.0f);
