@@ -12,13 +12,6 @@ std::vector<shared::PixelSample> samples_of(Backend& backend, std::uint32_t pass
   return test::render_pass(backend, pass).samples;
 }
 
-glm::dvec3 radiance(const test::PassResult& result, std::size_t i) {
-  const shared::PixelSample& s = result.samples[i];
-  const shared::PixelGloss g = result.gloss.empty() ? shared::PixelGloss{} : result.gloss[i];
-  return glm::dvec3(s.emitted) + glm::dvec3(s.weight) * glm::dvec3(s.direct + s.targeted + s.caustic + s.global) +
-         glm::dvec3(g.direct + g.targeted + g.caustic + g.global);
-}
-
 // The samples of a pass, but for a thousandth whose paths hang on rounding.
 void expect_alike(const test::Setup& setup) {
   GpuBackend gpu(gpu::Device::open("auto", true), setup.world, setup.settings);
@@ -34,7 +27,7 @@ void expect_alike(const test::Setup& setup) {
       ++flipped;
       continue;
     }
-    const glm::dvec3 d = radiance(a, i) - radiance(b, i), r = radiance(b, i);
+    const glm::dvec3 d = test::radiance(a, i) - test::radiance(b, i), r = test::radiance(b, i);
     difference += glm::dot(d, d);
     square += glm::dot(r, r);
   }
@@ -137,37 +130,6 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ImageAgreement,
                          testing::Values("post", "shadow_sausage", "area_light", "beaker", "shadow_sausage-sun",
                                          "beaker-day"),
                          test::name_of_test);
-
-// What a scene does not need costs memory and time where it is forced on, and changes nothing.
-TEST(Features, ForcedOnGiveTheSamePicture) {
-  REQUIRE_DEVICE();
-  for (const char* scene : {"post", "area_light"}) {
-    SCOPED_TRACE(scene);
-    const auto setup = test::make_setup(scene, test::small_options(40000, 80, 60));
-    ASSERT_FALSE(setup->world.glossy);
-    ASSERT_TRUE(setup->world.nested.empty());
-    const auto picture = [&](std::size_t& bytes) {
-      GpuBackend gpu(gpu::Device::open("auto", true), setup->world, setup->settings);
-      const test::PassResult result = test::render_pass(gpu, 1);
-      bytes = gpu.statistics().bytes_peak;
-      std::vector<glm::dvec3> pixels;
-      for (std::size_t i = 0; i < result.samples.size(); ++i) pixels.push_back(radiance(result, i));
-      return pixels;
-    };
-    std::size_t needed = 0, forced = 0;
-    const auto plain = picture(needed);
-    setup->world.glossy = true;
-    setup->world.nested = "forced";
-    const auto all = picture(forced);
-    double difference = 0, sum = 0;
-    for (std::size_t i = 0; i < plain.size(); ++i) {
-      difference += glm::length(all[i] - plain[i]);
-      sum += glm::length(plain[i]);
-    }
-    EXPECT_LT(difference, 1e-4 * sum);
-    EXPECT_GT(forced, needed + 80 * 60 * sizeof(shared::PixelGloss) / 2);
-  }
-}
 
 // Seen through water, or two panes and water, a pixel's light is the same by roulette, on average, and by split paths,
 // but for the noise.

@@ -56,6 +56,14 @@ inline PassResult render_pass(Backend& backend, std::uint32_t pass) {
   return result;
 }
 
+// Of a sample, in all.
+inline glm::dvec3 radiance(const PassResult& result, std::size_t i) {
+  const shared::PixelSample& s = result.samples[i];
+  const shared::PixelGloss g = result.gloss.empty() ? shared::PixelGloss{} : result.gloss[i];
+  return glm::dvec3(s.emitted) + glm::dvec3(s.weight) * glm::dvec3(s.direct + s.targeted + s.caustic + s.global) +
+         glm::dvec3(g.direct + g.targeted + g.caustic + g.global);
+}
+
 inline const Stratum* find_stratum(const World& world, const std::string& name) {
   for (const Stratum& s : world.strata)
     if (s.name == name) return &s;

@@ -14,10 +14,8 @@ std::shared_ptr<const TextureImage> make_image(std::uint32_t width, std::uint32_
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < width; ++x) {
       const glm::uvec4 c = texel(x, y);
-      if (deep)
-        image.words.insert(image.words.end(), {c.x | c.y << 16, c.z | c.w << 16});
-      else
-        image.words.push_back(c.x | c.y << 8 | c.z << 16 | c.w << 24);
+      image.words.push_back(deep ? c.x | c.y << 16 : c.x | c.y << 8 | c.z << 16 | c.w << 24);
+      if (deep) image.words.push_back(c.z | c.w << 16);
     }
   return std::make_shared<const TextureImage>(std::move(image));
 }
