@@ -39,18 +39,24 @@ void choose_size(RenderSettings& settings, const RenderOptions& options) {
                                              settings.crop.y1, settings.width, settings.height));
 }
 
+// Before anything is known of what is seen.
+Budgets default_budgets(const RenderSettings& settings) {
+  if (settings.diffuse_bounces == 0) return {settings.photons, 0};
+  return {settings.photons, std::max(settings.photons / (settings.final_gathering ? 4 : 2), 1000u)};
+}
+
 // Interreflection is smooth: discs hold some two hundred photons where these are spread over the scene evenly. Fewer
-// where they are gathered from, which evens out noise, but not what discs lose beyond the edges of surfaces.
-void set_global(RenderSettings& settings, const RenderOptions& options, const World& world) {
-  if (settings.diffuse_bounces == 0) return;
-  const bool gathered = options.quality == Quality::final;
-  settings.final_gathering = gathered;
-  settings.global.scatterings = settings.diffuse_bounces - (gathered ? 1 : 0);
-  settings.global.keeps_caustics = gathered;
-  const std::uint32_t photons = std::max(options.photons_per_pass(settings.crop.pixels()) / (gathered ? 4 : 2), 1000u);
+// where they are gathered from, which evens out noise, but not what discs lose beyond the edges of surfaces. Of more
+// photons, discs hold more and are smaller: so noise and blur fall alike.
+void set_global(RenderSettings& settings, const World& world, std::uint32_t photons) {
+  if (photons == 0) return;
+  settings.global.scatterings = settings.diffuse_bounces - (settings.final_gathering ? 1 : 0);
+  settings.global.keeps_caustics = settings.final_gathering;
   settings.global.beams = global_beams(world, photons, settings.integrator == Integrator::ordinary);
   if (settings.global.beams.empty()) return;
-  const double radius = world.radius * std::sqrt((gathered ? 20.0 : 200.0) / settings.global.count());
+  const double usual = default_budgets(settings).global, more = settings.global.count() / usual;
+  const double held = (settings.final_gathering ? 20 : 200) * std::pow(more, 2.0 / 3);
+  const double radius = world.radius * std::sqrt(held / settings.global.count());
   settings.global.discs = {radius, radius};
 }
 
@@ -77,10 +83,12 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.
   settings.samples = options.samples.value_or(photons > settings.photons_at_once ? 1 : preset(options.quality).samples);
   if (options.integrator == Integrator::path) return settings;
+  settings.photons = photons;
+  settings.final_gathering = settings.diffuse_bounces > 0 && options.quality == Quality::final;
   set_beams(settings, options, world,
             options.integrator == Integrator::ordinary ? light_beams(world, photons)
                                                        : make_beams(world, default_starts(world), photons));
-  set_global(settings, options, world);
+  set_global(settings, world, default_budgets(settings).global);
   // Smooth faces have no lobe to follow.
   settings.bounces_gloss = world.glossy && settings.diffuse_bounces > 0 &&
                            std::any_of(world.surfaces.begin(), world.surfaces.end(), [](const shared::Surface& s) {
@@ -93,8 +101,9 @@ void focus(RenderSettings& settings, const RenderOptions& options, const World& 
   if (settings.integrator != Integrator::targeted) return;
   const Pilot pilot = look_ahead(backend, world, settings);
   settings.split = pilot.split;
-  set_beams(settings, options, world,
-            make_beams(world, pilot.starts, options.photons_per_pass(settings.crop.pixels())));
+  const Budgets budgets = share_photons({settings.photons, settings.global.count()}, pilot.noise);
+  set_beams(settings, options, world, make_beams(world, pilot.starts, budgets.caustics));
+  if (budgets.global != settings.global.count()) set_global(settings, world, budgets.global);
   backend.configure(settings);
 }
 

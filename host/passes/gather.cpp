@@ -14,9 +14,9 @@ std::vector<gpu::Binding> layout(bool texel) {
 }
 
 // Pixels run in blocks of 8 x 8, whole ones at the edges too.
-std::uint32_t invocations(const PixelTile& tile) {
-  const std::uint32_t rows = (tile.count + tile.width - 1) / tile.width;
-  return (tile.width + 7) / 8 * ((rows + 7) / 8) * 64;
+std::uint32_t invocations(std::uint32_t pixels, std::uint32_t width) {
+  const std::uint32_t rows = (pixels + width - 1) / width;
+  return (width + 7) / 8 * ((rows + 7) / 8) * 64;
 }
 
 }  // namespace
@@ -38,24 +38,25 @@ GatherPass::GatherPass(const gpu::Device& device, const PhotonBuffers& photons, 
                                    {8, tile.gloss}}));
 }
 
-void GatherPass::run(gpu::Commands& commands, const Grid& grid, float lobe_part) {
+void GatherPass::run(gpu::Commands& commands, const Grid& grid, const Crop& crop, float lobe_part) {
   shared::GatherPush push{};
   push.narrowest = static_cast<float>(grid.discs.narrowest);
   push.levels = grid.levels;
   push.cell_mask = grid.mask;
   push.lobe_part = lobe_part;
+  push.width = crop.width();
   commands.fill(counters_, 0);
   std::uint32_t most = 0;
   while (push.first_candidate <= most) {
-    for (std::size_t t = 0; t < tiles_.size(); ++t)
-      batch_.run(commands, invocations(tiles_[t]), [&](std::uint32_t first, std::uint32_t count) {
+    for (std::size_t t = 0; t < tiles_.size() && tiles_[t].first < crop.pixels(); ++t) {
+      push.pixels = static_cast<std::uint32_t>(std::min<std::size_t>(tiles_[t].count, crop.pixels() - tiles_[t].first));
+      batch_.run(commands, invocations(push.pixels, push.width), [&](std::uint32_t first, std::uint32_t count) {
         push.first = first;
         push.count = count;
-        push.pixels = tiles_[t].count;
-        push.width = tiles_[t].width;
         commands.barrier();
         commands.dispatch(pass_, buffers_[t], push, groups_of_64(count));
       });
+    }
     most = counters_.download<std::uint32_t>()[shared::COUNTER_MOST_CANDIDATES];
     push.first_candidate += shared::GATHER_ROUND;
   }

@@ -13,8 +13,9 @@ class GatherPass {
   GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
              const std::vector<PixelTile>& tiles, bool global, bool glossy, bool texel);
   // Submits as many rounds as the pixel with the most candidates needs, after what is recorded already.
-  // `lobe_part`: of outer faces' lobes, by which the map is reflected.
-  void run(gpu::Commands& commands, const Grid& grid, float lobe_part = 1);
+  // `crop`: that the tiles hold from their beginning on. `lobe_part`: of outer faces' lobes, by which the map is
+  // reflected.
+  void run(gpu::Commands& commands, const Grid& grid, const Crop& crop, float lobe_part = 1);
 
  private:
   gpu::Buffer counters_;

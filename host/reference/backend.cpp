@@ -82,6 +82,22 @@ void ReferenceBackend::light(shared::PixelSample& sample, shared::PixelGloss* gl
                         double(global_lobe_part(view)))[shared::MAP_GLOBAL]);
 }
 
+PhotonMap ReferenceBackend::make_map(const std::vector<Photon>& photons, const PhotonSet& set,
+                                     std::uint32_t pass) const {
+  return {photons, pass_discs(set.discs, pass).widest};
+}
+
+Samples ReferenceBackend::light_camera(std::uint32_t pass, const View& view, std::uint32_t photon_pass) {
+  const std::vector<Photon> caustics = photons(photon_pass, false), global = photons(photon_pass, true);
+  const PhotonMap caustics_map = make_map(caustics, settings_.caustics, photon_pass);
+  const PhotonMap global_map = make_map(global, settings_.global, photon_pass);
+  Samples samples = trace_paths(pass, view);
+  for (std::size_t i = 0; i < samples.pixels.size(); ++i)
+    if (samples.pixels[i].triangle < shared::END_FIRST)
+      light(samples.pixels[i], world_.glossy ? &samples.gloss[i] : nullptr, view, caustics_map, global_map);
+  return samples;
+}
+
 Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
   Tallies tallies;
   for (Tally& t : tallies) t.flux_landed.resize(world_.surfaces.size());
@@ -90,8 +106,8 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
     for (const Photon& p : *started)
       tallies[p.map].count(p.fate(), [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
 
-  const PhotonMap caustics_map(caustics, pass_discs(settings_.caustics.discs, pass).widest);
-  const PhotonMap global_map(global, pass_discs(settings_.global.discs, pass).widest);
+  const PhotonMap caustics_map = make_map(caustics, settings_.caustics, pass);
+  const PhotonMap global_map = make_map(global, settings_.global, pass);
   Samples before;
   for (const View& view : views_of(settings_)) {
     Samples samples = trace_paths(pass, view);

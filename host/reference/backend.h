@@ -14,12 +14,14 @@ class ReferenceBackend final : public Backend {
   Tallies render_pass(std::uint32_t pass, const TakeSamples& take) override;
   std::vector<PhotonEnd> trace_photons(std::uint32_t pass) override;
   std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, const View& view) override;
+  Samples light_camera(std::uint32_t pass, const View& view, std::uint32_t photon_pass) override;
   void configure(const RenderSettings& settings) override { settings_ = settings; }
   Statistics statistics() const override;
 
  private:
   std::vector<Photon> photons(std::uint32_t pass, bool global) const;
   Samples trace_paths(std::uint32_t pass, const View& view) const;
+  PhotonMap make_map(const std::vector<Photon>& photons, const PhotonSet& set, std::uint32_t pass) const;
   // Adds the maps' light to a sample; `gloss`: none where no outer face reflects.
   void light(shared::PixelSample& sample, shared::PixelGloss* gloss, const View& view, const PhotonMap& caustics,
              const PhotonMap& global) const;

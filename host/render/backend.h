@@ -127,6 +127,8 @@ class Backend {
   // The parts of a pass alone: ends of all its photons, and samples without the maps' light.
   virtual std::vector<PhotonEnd> trace_photons(std::uint32_t pass) = 0;
   virtual std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, const View& view) = 0;
+  // The samples of a view with the maps' light by the photons of another pass: by which they differ, it is these alone.
+  virtual Samples light_camera(std::uint32_t pass, const View& view, std::uint32_t photon_pass) = 0;
 
   // Other settings from now on, of no more pixels than those before; round discs stay round.
   virtual void configure(const RenderSettings& settings) = 0;

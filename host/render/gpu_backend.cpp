@@ -11,8 +11,10 @@
 namespace meniscal {
 namespace {
 
+// Of either set: what the pilot shares out anew, may become as large as the larger one.
 std::uint32_t photon_capacity(const PhotonSet& set, const RenderSettings& settings) {
-  return std::min(set.count(), settings.photons_at_once);
+  const std::uint32_t most = std::max(settings.caustics.count(), settings.global.count());
+  return set.count() > 0 ? std::min(most, settings.photons_at_once) : 0;
 }
 
 // The photons of the caustics' maps, or of the global map, and the passes that look them up.
@@ -116,7 +118,7 @@ struct GpuBackend::Passes {
   void light(Map& map, std::uint32_t pass, float lobe_part, Tallies& tallies) {
     const PhotonSet& set = set_of(map);
     if (map.grids == 1) {
-      map.gather.run(commands, passes::make_grid(set.count(), pass_discs(set.discs, pass)), lobe_part);
+      map.gather.run(commands, passes::make_grid(set.count(), pass_discs(set.discs, pass)), settings.crop, lobe_part);
       return;
     }
     const bool anew = map.grids > 1;
@@ -124,10 +126,22 @@ struct GpuBackend::Passes {
     trace(map, pass, [&](std::uint32_t count, const passes::Grid& grid) {
       for (std::uint32_t first = 0; first < count; ++map.grids) {
         first += map.cells.build(commands, grid, first, count - first);
-        map.gather.run(commands, grid, lobe_part);
+        map.gather.run(commands, grid, settings.crop, lobe_part);
       }
       if (!anew) tally(map, tallies, count);
     });
+  }
+
+  // Traces a view's samples of one pass, and lights them by another's photons. These are still there afterwards.
+  Samples light_camera(std::uint32_t pass, const View& view, std::uint32_t photon_pass, Tallies& tallies) {
+    paths.trace_camera(commands, settings, pass, view);
+    if (caustics && shows_caustics(settings, view)) light(*caustics, photon_pass, 1, tallies);
+    if (global && shows_global(settings, view)) light(*global, photon_pass, global_lobe_part(view), tallies);
+    return samples();
+  }
+  void forget_photons() {
+    for (std::optional<Map>* map : {&caustics, &global})
+      if (*map) (*map)->grids = 0;
   }
 
   Tallies no_tallies() const {
@@ -165,14 +179,8 @@ GpuBackend::~GpuBackend() = default;
 Tallies GpuBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
   Passes& p = *passes_;
   Tallies tallies = p.no_tallies();
-  for (std::optional<Map>* map : {&p.caustics, &p.global})
-    if (*map) (*map)->grids = 0;
-  for (const View& view : views_of(p.settings)) {
-    p.paths.trace_camera(p.commands, p.settings, pass, view);
-    if (p.caustics && shows_caustics(p.settings, view)) p.light(*p.caustics, pass, 1, tallies);
-    if (p.global && shows_global(p.settings, view)) p.light(*p.global, pass, global_lobe_part(view), tallies);
-    take(p.samples(), view);
-  }
+  p.forget_photons();
+  for (const View& view : views_of(p.settings)) take(p.light_camera(pass, view, pass, tallies), view);
   p.tables.collect_counters();
   return tallies;
 }
@@ -191,6 +199,12 @@ std::vector<PhotonEnd> GpuBackend::trace_photons(std::uint32_t pass) {
 std::vector<shared::PixelSample> GpuBackend::trace_camera(std::uint32_t pass, const View& view) {
   passes_->paths.trace_camera(passes_->commands, passes_->settings, pass, view);
   return passes_->pixels();
+}
+
+Samples GpuBackend::light_camera(std::uint32_t pass, const View& view, std::uint32_t photon_pass) {
+  Tallies tallies = passes_->no_tallies();
+  passes_->forget_photons();
+  return passes_->light_camera(pass, view, photon_pass, tallies);
 }
 
 void GpuBackend::configure(const RenderSettings& settings) { passes_->settings = settings; }

@@ -18,6 +18,7 @@ class GpuBackend final : public Backend {
   Tallies render_pass(std::uint32_t pass, const TakeSamples& take) override;
   std::vector<PhotonEnd> trace_photons(std::uint32_t pass) override;
   std::vector<shared::PixelSample> trace_camera(std::uint32_t pass, const View& view) override;
+  Samples light_camera(std::uint32_t pass, const View& view, std::uint32_t photon_pass) override;
   void configure(const RenderSettings& settings) override;
   Statistics statistics() const override;
 

@@ -40,7 +40,7 @@ void describe_settings(Image& image, const Scene& scene, const RenderSettings& s
   image.text["footprints"] = settings.caustics.discs.round() ? "round" : own_footprints;
   image.numbers["meniscusTolerance"] = meniscus_tolerance;
   image.numbers["seed"] = settings.seed;
-  image.numbers["photonsPerPass"] = settings.caustics.count();
+  image.numbers["photonsPerPass"] = settings.photons;
   image.numbers["samplesPerPass"] = settings.samples;
   image.numbers["specularBounces"] = settings.specular_bounces;
   image.numbers["diffuseBounces"] = settings.diffuse_bounces;

@@ -10,7 +10,7 @@
 namespace meniscal {
 namespace {
 
-constexpr std::uint32_t most_rays = 4096, photons_a_round = 4096, rounds = 2;
+constexpr std::uint32_t most_rays = 4096, photons_a_round = 4096, rounds = 2, photons_for_noise = 2048;
 constexpr std::uint32_t pilot_pass = 0x80000000;  // first of the passes whose random numbers the pilot takes
 // What is thought to be unseen still gets a share: rare paths are noisy then, but not lost.
 constexpr double unseen_share = 0.03;
@@ -111,6 +111,40 @@ void share_out(std::vector<StartSet>& sets) {
       w.share = w.seen ? (1 - unseen_share) * w.share / total : (total > 0 ? unseen_share : 1) / double(sets.size());
 }
 
+// What the camera sees differently by photons of two passes. The samples are the same but for these.
+MapNoise difference(const Samples& a, const Samples& b) {
+  MapNoise sum;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const shared::PixelSample &p = a.pixels[i], &q = b.pixels[i];
+    glm::vec3 caustics = p.weight * (p.targeted + p.caustic - q.targeted - q.caustic);
+    glm::vec3 global = p.weight * (p.global - q.global);
+    if (!a.gloss.empty()) {
+      const shared::PixelGloss &g = a.gloss[i], &h = b.gloss[i];
+      caustics += g.targeted + g.caustic - h.targeted - h.caustic;
+      global += g.global - h.global;
+    }
+    sum.caustics += mean_of(caustics * caustics);
+    sum.global += mean_of(global * global);
+  }
+  return sum;
+}
+
+// Variances by one photon. The discs are those of the first passes to come; the random numbers are others.
+MapNoise look_at_noise(Backend& backend, const World& world, RenderSettings settings,
+                       const std::vector<StartSet>& sets) {
+  settings.seed = ~settings.seed;
+  settings.caustics.beams = make_beams(world, sets, photons_for_noise);
+  settings.global.beams = global_beams(world, photons_for_noise, false);
+  backend.configure(settings);
+  const auto noise_in = [&](const View& view) {
+    return difference(backend.light_camera(0, view, 0), backend.light_camera(0, view, 1));
+  };
+  MapNoise noise = noise_in(View{});
+  // Of one bounced path a sample: their mean evens out what each sees of the map.
+  if (settings.final_gathering) noise.global = noise_in(View{.bounced = true}).global / settings.samples;
+  return {photons_for_noise * noise.caustics, photons_for_noise * noise.global};
+}
+
 }  // namespace
 
 Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& settings) {
@@ -126,7 +160,7 @@ Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& set
   const SeenCells cells(samples, pilot.crop.width());
 
   std::vector<StartSet> sets = default_starts(world);
-  if (cells.empty()) return {sets, split};
+  if (cells.empty()) return {sets, split, {}};
   for (StartSet& s : sets) s.windows = {StartWindow{.share = 1.0 / double(sets.size())}};
   std::vector<SeenSet> seen(sets.size());
   for (std::uint32_t round = 0; round < rounds; ++round) {
@@ -136,7 +170,8 @@ Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& set
       sets[i].windows = windows_round(seen[i], sets[i], round + 1 == rounds);
     share_out(sets);
   }
-  return {sets, split};
+  if (pilot.global.count() == 0 || sets.empty()) return {sets, split, {}};
+  return {sets, split, look_at_noise(backend, world, pilot, sets)};
 }
 
 }  // namespace meniscal

@@ -2,17 +2,20 @@
 #pragma once
 
 #include "host/render/backend.h"
+#include "host/render/budgets.h"
 
 namespace meniscal {
 
 struct Pilot {
   std::vector<StartSet> starts;
   std::uint32_t split;  // see RenderSettings
+  MapNoise noise;       // none without interreflection
 };
 
 // Traces some thousand camera rays and photons, and gives windows round the starts of those photons that landed where
 // the camera sees, with shares as the square roots of the flux that they brought there. Where nothing is seen:
-// default_starts. Deterministic. The backend has other settings afterwards.
+// default_starts. Where interreflection needs photons, too, looks twice at what either map gives: that is its noise.
+// Deterministic. The backend has other settings afterwards.
 Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& settings);
 
 }  // namespace meniscal

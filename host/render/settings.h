@@ -66,6 +66,7 @@ struct RenderSettings {
   PhotonSet caustics;          // of the targeted and the caustic map
   PhotonSet global;            // of the global map; their discs are round
   double footprint = 0;        // side of a pixel on what is seen, m
+  std::uint32_t photons = 0;   // asked for, a pass; what they are shared out to follows
   std::uint32_t specular_bounces = 8, diffuse_bounces = 0;
   // Interreflection: shown as the global map has it, or gathered by a diffuse bounce of as many more camera paths from
   // all maps and the lights.

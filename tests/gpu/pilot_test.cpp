@@ -72,6 +72,35 @@ TEST(Pilot, WithoutAnythingSeenKeepsTheDefault) {
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(setup->settings.caustics.beams[i].count, before[i].count);
 }
 
+// A beaker in the open gives its light away; in a white room it comes back. The reference path finds the same.
+TEST(Pilot, GivesPhotonsToTheMapThatIsNoisy) {
+  REQUIRE_DEVICE();
+  RenderOptions options = options_of();
+  options.diffuse_bounces = 4;
+  const auto budgets = [&](const char* scene, Quality quality, bool on_gpu) {
+    options.quality = quality;
+    const auto setup = test::make_setup(scene, options);
+    std::unique_ptr<Backend> backend;
+    if (on_gpu)
+      backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup->world, setup->settings);
+    else
+      backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
+    focus(setup->settings, options, setup->world, *backend);
+    return std::array<double, 2>{double(setup->settings.caustics.count()), double(setup->settings.global.count())};
+  };
+  for (const Quality quality : {Quality::draft, Quality::final}) {
+    const auto open = budgets("beaker", quality, true), closed = budgets("tank", quality, true);
+    std::printf("caustics and global: %.0f and %.0f in the open, %.0f and %.0f in a room\n", open[0], open[1],
+                closed[0], closed[1]);
+    EXPECT_LT(open[1], 0.2 * open[0]);
+    EXPECT_GT(closed[1], 3 * closed[0]);
+  }
+  const auto on_gpu = budgets("shadow_sausage", Quality::draft, true);
+  const auto on_cpu = budgets("shadow_sausage", Quality::draft, false);
+  EXPECT_NEAR(on_cpu[1], on_gpu[1], 150000.0 / 64) << "a step, at the most";
+  EXPECT_NEAR(on_cpu[0], on_gpu[0], 150000.0 / 64);
+}
+
 // Ordinary photon mapping is noisy and blurred, but the same light: on the GPU, on the reference path, and as from
 // targets.
 TEST(Ordinary, GivesTheSameLight) {

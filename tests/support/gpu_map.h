@@ -31,7 +31,7 @@ struct GpuMap {
     commands.submit_and_wait();
     return taken;
   }
-  void gather_from_grid() { gather.run(commands, grid); }
+  void gather_from_grid() { gather.run(commands, grid, settings.crop); }
   std::vector<shared::PixelSample> samples() const { return tiles.at(0).samples.download<shared::PixelSample>(); }
 
   const World& world;

@@ -37,6 +37,7 @@ class FakeBackend final : public Backend {
   }
   std::vector<PhotonEnd> trace_photons(std::uint32_t) override { return {}; }
   std::vector<shared::PixelSample> trace_camera(std::uint32_t, const View&) override { return {}; }
+  Samples light_camera(std::uint32_t, const View&, std::uint32_t) override { return {}; }
   void configure(const RenderSettings&) override {}
   Statistics statistics() const override { return {}; }
 
