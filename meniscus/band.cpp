@@ -104,11 +104,15 @@ Grading::Grading(const ContactLine& line, double sweep_length)
     const double least = std::max(finest * unit_, longest / kAspect);
     first_ = std::min({column, least, kAspect * shortest, most_});
   }
+  if (line.profile == Profile::solved && sweep_ > 0) {
+    first_ = fineness_.spacing(0) * line.sweep, growth_ = fineness_.growth, most_ = fineness_.layer * line.sweep;
+  }
 }
 
 double Grading::spacing(double distance) const {
   if (sweep_ == 0) return first_ + kGrowthBeyond * distance;
   if (distance <= sweep_) {
+    if (fineness_.profile == Profile::solved) return fineness_.spacing(distance / sweep_) * sweep_;
     const double bent = fineness_.spacing(distance / sweep_) * unit_;
     return std::min(std::max(bent, first_), first_ + growth_ * distance);
   }

@@ -12,14 +12,18 @@ namespace {
 Hit make_hit(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {
   const glm::dvec3 n = mesh.area_normal(t);
   const double square = glm::dot(n, n);
-  glm::dvec3 sum(0);
+  glm::dvec3 sum(0), bulge(0);
   for (int i = 0; i < 3; ++i) {  // by the areas opposite to the corners
     const glm::dvec3 a = mesh.corner(t, (i + 1) % 3) - p, b = mesh.corner(t, (i + 2) % 3) - p;
-    sum += glm::dot(glm::cross(a, b), n) / square * mesh.triangles[t].normals[i];
+    const double weight = glm::dot(glm::cross(a, b), n) / square;
+    const glm::dvec3 normal = mesh.triangles[t].normals[i];
+    sum += weight * normal;
+    bulge += weight * glm::dot(mesh.corner(t, i) - p, normal) * normal;
   }
   const double length = glm::length(sum);
   const glm::dvec3 facet = n / std::sqrt(square);
-  return {p, facet, length > 0 ? sum / length : facet};
+  // Half of what tangent planes at the corners ask for is an arc's distance from its chord (Boubekeur, Alexa 2008).
+  return {p, facet, length > 0 ? sum / length : facet, p + 0.5 * bulge};
 }
 
 }  // namespace

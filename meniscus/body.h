@@ -20,6 +20,7 @@ struct Hit {
   glm::dvec3 position;
   glm::dvec3 facet;   // unit normal of the facet
   glm::dvec3 normal;  // unit, interpolated between the facet's corners
+  glm::dvec3 smooth;  // on the curved surface that has the corners' normals and stands for a smooth facet
 };
 
 // Where the solid is met from `origin` along +-`direction` (unit): the facet, facing `direction`, that is nearest to

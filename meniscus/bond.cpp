@@ -98,7 +98,7 @@ bool bond_side(Side& side, Node& node, const Body& body, double sweep, double he
   Climb climb{
       node, body, sweep, height, spine, up, glm::normalize(tangent_to(up, side.direction)), tangent_to(up, aside),
       false};
-  const Hit level{node.position, side.solid_normal, side.solid_normal};
+  const Hit level{node.position, side.solid_normal, side.solid_normal, node.position};
   Hit at = level;
   double held = height == 0 ? 1 : climb_from(climb, at);
   if (held < 1) {
@@ -150,7 +150,7 @@ double wanted_rise(const Node& node, const Side& side, const Body& body, const L
 // Bonds every node, with the spine along which the solid is taken to go on. Returns how many are pinned.
 std::size_t bond_along(const Spine& spine, ContactLine& line, const Body& body, const Liquid& liquid) {
   const std::size_t n = line.nodes.size();
-  const double sweep = line.sweep;
+  const double sweep = sweep_length(liquid);
   std::vector<double> heights(n);
   std::vector<glm::dvec2> aside(n, glm::dvec2(0));
   for (std::size_t i = 0; i < n; ++i) heights[i] = wanted_rise(line.nodes[i], line.nodes[i].contact, body, liquid);
@@ -200,7 +200,6 @@ std::size_t count_disorder(const ContactLine& line) {
 }  // namespace
 
 std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid) {
-  const double sweep = sweep_length(liquid);
   double lowest = 0, highest = 0;
   for (const Node& node : line.nodes) {
     for (const Side* side : {&node.before, &node.after}) {
@@ -212,7 +211,7 @@ std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid) {
     line.sweep = 0;
     return 0;
   }
-  line.sweep = sweep;
+  line.sweep = raised_length(liquid);
   ContactLine upright = line;
   std::size_t pinned = bond_along(Spine(line, body, lowest, highest), line, body, liquid);
   if (const std::size_t disorder = count_disorder(line)) {  // no rod: a tilted ring, say, which curves away too much

@@ -45,6 +45,7 @@ struct ContactLine {
   std::vector<Node> nodes;
   Profile profile = Profile::sine;
   Fineness fineness{};
+  bool at_rest = false;  // solved for
 
   std::size_t segments() const { return closed ? nodes.size() : nodes.size() - 1; }
   const Node& next(std::size_t i) const { return nodes[(i + 1) % nodes.size()]; }

@@ -8,6 +8,7 @@
 #include "meniscus/bond.h"
 #include "meniscus/check.h"
 #include "meniscus/curvature.h"
+#include "meniscus/equilibrium.h"
 #include "meniscus/predicates.h"
 #include "meniscus/prepare.h"
 #include "meniscus/profile.h"
@@ -34,6 +35,7 @@ TriangleMesh liquid_as_it_is(const Topology& liquid) {
 
 Contact describe(const ContactLine& line, const Body& body) {
   Contact contact{body.name, line.closed, 0, body.contact_angle, 0, 0};
+  contact.at_rest = line.at_rest;
   for (std::size_t i = 0; i < line.segments(); ++i) {
     contact.length += glm::distance(line.nodes[i].position, line.next(i).position);
   }
@@ -70,6 +72,33 @@ void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
   }
 }
 
+// Between near walls the surface bends within their distance: the exact profile's layers follow the narrowest tenth.
+void refine_in_gaps(ContactLine& line, double reach) {
+  constexpr double kLayers = 50, kFinest = 1.0 / 20;
+  std::vector<double> free;
+  for (const Node& node : line.nodes) free.push_back(node.free);
+  const auto narrow = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 10);
+  std::nth_element(free.begin(), narrow, free.end());
+  double& first = line.fineness.first;
+  first = std::min(first, std::max(*narrow / (kLayers * reach), kFinest * first));
+}
+
+// Where a solid is met level, the liquid still rises as neighbours' menisci reach it.
+void wake_neighbours(std::vector<ContactLine>& lines, double reach) {
+  std::vector<Box> awake;
+  for (const ContactLine& line : lines) {
+    if (line.sweep == 0) continue;
+    Box& box = awake.emplace_back();
+    for (const Node& node : line.nodes) box.add(node.position);
+    box = box.grown(reach);
+  }
+  for (ContactLine& line : lines) {
+    Box box;
+    for (const Node& node : line.nodes) box.add(node.position);
+    if (std::any_of(awake.begin(), awake.end(), [&](const Box& b) { return b.overlaps(box); })) line.sweep = reach;
+  }
+}
+
 bool faces_up(const TriangleMesh& mesh) {
   return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
     const auto& p = mesh.positions;
@@ -99,7 +128,7 @@ void check(const Liquid& liquid, const Stitched& result, const std::vector<Conta
     warnings.push_back({"liquid '" + liquid.name + "': " + std::to_string(gaps) + " edges of its surface lie open"});
   std::map<std::size_t, std::size_t> folded;  // triangles, by solid
   for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
-    if (!result.meniscus[t]) continue;
+    if (!result.meniscus[t] || liquid.profile == Profile::solved) continue;  // which may overhang
     const glm::uvec3& v = result.mesh.triangles[t];
     const auto& p = result.mesh.positions;
     if (orient2d(planar(p[v.x]), planar(p[v.y]), planar(p[v.z])) <= 0) ++folded[lines[result.line[t]].solid];
@@ -146,7 +175,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   Topology level = weld_liquid(liquid, surface, warnings);
   const std::vector<Body> bodies = weld_solids(solids, warnings);
   snap_border(level, surface, liquid.name, bodies, snap_tolerance(liquid, level, surface), warnings);
-  const double reach = sweep_length(liquid);
+  const double unit = sweep_length(liquid), reach = raised_length(liquid);
 
   std::vector<Box> boxes;
   for (const std::uint32_t t : surface) boxes.push_back(level.box(t));
@@ -156,34 +185,41 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     for (Contour& contour : find_contours(level, surface, tree, bodies, s, warnings)) {
       refuse_endless(contour, bodies[s].name, reach);
-      lines.push_back(refine(contour, s, reach, {{}, find_fineness(contour, bodies[s].contact_angle, liquid)}));
+      lines.push_back(refine(contour, s, unit, {{}, find_fineness(contour, bodies[s].contact_angle, liquid)}));
+      lines.back().sweep = reach;
       contours.push_back(std::move(contour));
     }
   }
   constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
   const Patch patch(level, surface, lines, kMargin * reach);
-  const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, reach, warnings);
+  const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, unit, reach, warnings);
   constexpr double kCurved = 1;  // capillary lengths: fits the equilibrium of an ellipse best
   for (std::size_t l = 0; l < lines.size(); ++l) {
-    lines[l] = refine(contours[l], lines[l].solid, reach, resolutions[l]);
+    lines[l] = refine(contours[l], lines[l].solid, unit, resolutions[l]);
+    lines[l].sweep = reach;
     measure_curvature(lines[l], kCurved * liquid.capillary_length);
   }
   find_free_lengths(lines, reach);
+  for (ContactLine& line : lines) refine_in_gaps(line, reach);
+  const bool solved = liquid.profile == Profile::solved;
+  Warnings as_raised;                   // of a start that is solved for
   std::map<std::size_t, Share> pinned;  // by solid
   for (ContactLine& line : lines) {
     const Body& body = bodies[line.solid];
     pinned[line.solid].add(bond(line, body, liquid), line.nodes.size());
   }
+  if (solved) wake_neighbours(lines, reach);
   std::vector<bool> all(lines.size(), true);
   share_slides(lines, all);
   for (ContactLine& line : lines) differentiate(line);
   for (const auto& [solid, share] : pinned) {
     if (share.part == 0) continue;
-    warnings.push_back({"solid '" + bodies[solid].name + "': the contact line is pinned along " + share.percent() +
-                            " of its length: the solid ends before the meniscus does, or slants too much for it",
-                        {solid}});
+    (solved ? as_raised : warnings)
+        .push_back({"solid '" + bodies[solid].name + "': the contact line is pinned along " + share.percent() +
+                        " of its length: the solid ends before the meniscus does, or slants too much for it",
+                    {solid}});
   }
-  const Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, reach, warnings);
+  Sheet sheet = lines.empty() ? Sheet{} : remesh(level, patch, lines, bodies, unit, reach, warnings);
   if (sheet.overlaps) {
     warnings.push_back({"liquid '" + liquid.name + "' lies over itself, seen from above, near solid '" +
                         bodies[lines.front().solid].name +
@@ -194,7 +230,8 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
     result.meniscus.assign(result.mesh.triangles.size(), 0);
     return result;
   }
-  const Raised raised = raise(level, surface, patch, sheet, lines, bodies, liquid, warnings);
+  Raised raised = raise(level, surface, patch, sheet, lines, bodies, liquid, solved ? as_raised : warnings);
+  if (solved) result.solution = equilibrate(raised, sheet, lines, bodies, liquid, as_raised, warnings);
   Stitched stitched = stitch(level, surface, patch, sheet, raised, bodies);
   if (!lines.empty()) check(liquid, stitched, lines, bodies, warnings);
   if (!faces_up(stitched.mesh))

@@ -2,6 +2,7 @@
 // Source: Bourque, Dufort, Laprade, Poulin, "Simulating Caustics due to Liquid-Solid Interface Menisci", section 3.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,13 +25,14 @@ enum class Profile {
   exponential,  // as from a flat wall, for small slopes
   circular,     // a quarter of a circle, stretched to height and sweep length: vertical at the wall
   bessel,       // as round a post one capillary length in radius, for small slopes
+  solved,       // the liquid at rest: Young-Laplace's equation for all menisci together; see equilibrium.h
 };
 
 struct Liquid {
   std::string name;
   TriangleMesh mesh;        // an open sheet or a closed volume; its free surface is what faces up (+Y)
   double capillary_length;  // sqrt(surface tension / (density * gravity)), metres
-  HeightRule height_rule = HeightRule::wetting;
+  HeightRule height_rule = HeightRule::wetting;  // the exact profile has its own heights
   Profile profile = Profile::sine;
   double height_scale = 1;  // artist's factor on the height
   double sweep_scale = 1;   // artist's factor on the sweep length, 2 capillary lengths
@@ -56,7 +58,21 @@ struct Contact {
   double contact_angle;                    // radians
   double rise_min, rise_max;               // signed height of the contact line above the level liquid, metres
   std::size_t triangles = 0;               // of its meniscus
+  bool at_rest = false;                    // is the meniscus Young-Laplace's?
   std::vector<std::string> warnings = {};  // the surface's that concern the solid
+};
+
+// How the exact profile was found.
+struct Solution {
+  std::size_t parts = 0, failed = 0;    // menisci that touch each other make one part
+  std::size_t unknowns = 0, steps = 0;  // of all parts; Newton steps
+  double last_step = 0;                 // the largest of the parts' last full steps, metres
+  double height_error = 0;              // how far facets leave the surface, at most; metres
+
+  void add(const Solution& other) {
+    parts += other.parts, failed += other.failed, unknowns += other.unknowns, steps += other.steps;
+    last_step = std::max(last_step, other.last_step), height_error = std::max(height_error, other.height_error);
+  }
 };
 
 // The liquid with its menisci: one oriented surface, watertight but for the borders the liquid came with.
@@ -65,6 +81,7 @@ struct Surface {
   std::vector<std::uint8_t> meniscus;  // per triangle: 1 on a meniscus (a photon target), 0 on the rest of the liquid
   TriangleMesh within;                 // the free surface where it goes on inside solids, up to the contact lines
   std::vector<Contact> contacts;
+  Solution solution;                  // all 0 unless the profile is exact
   std::vector<std::string> warnings;  // each names solid or liquid and says what was done
 };
 

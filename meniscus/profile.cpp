@@ -9,10 +9,21 @@
 namespace meniscus {
 namespace {
 
+// Capillary lengths from a contact line to where the surface is level but for 0.03 % of the rise and of the slope.
+constexpr double kFar = 8;
+
 Falloff sine(double d) {
   constexpr double k = glm::half_pi<double>();
   const double s = std::sin(k * d), c = std::cos(k * d);
   return {1 - s, -k * c, k * k * s, k * k * k * c};
+}
+
+// Where the exact profile is solved for: the sine, over the usual sweep length, as a start.
+Falloff started(double d) {
+  constexpr double k = kFar / 2;
+  if (!(k * d < 1)) return {};
+  const Falloff f = sine(k * d);
+  return {f.height, k * f.slope, k * k * f.bend, k * k * k * f.jerk};
 }
 
 // A quarter of a circle that touches the wall and the level.
@@ -46,11 +57,17 @@ Falloff ended(double d) {
 
 }  // namespace
 
-double sweep_length(const Liquid& liquid) { return 2 * liquid.capillary_length * liquid.sweep_scale; }
+double sweep_length(const Liquid& liquid) {
+  return 2 * liquid.capillary_length * (liquid.profile == Profile::solved ? 1 : liquid.sweep_scale);
+}
+
+double raised_length(const Liquid& liquid) {
+  return liquid.profile == Profile::solved ? kFar * liquid.capillary_length : sweep_length(liquid);
+}
 
 double rise(const Liquid& liquid, double contact_angle, double beta, double curvature) {
   const double unit = liquid.height_scale * liquid.capillary_length, slope = beta - contact_angle;
-  switch (liquid.height_rule) {
+  switch (liquid.profile == Profile::solved ? HeightRule::exact : liquid.height_rule) {
     case HeightRule::wetting:
       return 2 * unit * slope / glm::pi<double>();
     case HeightRule::equation2:
@@ -70,6 +87,8 @@ Falloff falloff(Profile profile, double d) {
       return ended<decay>(d);
     case Profile::circular:
       return circular(d);
+    case Profile::solved:
+      return started(d);
     case Profile::bessel:
       break;
   }

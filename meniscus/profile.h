@@ -9,6 +9,9 @@ namespace meniscus {
 // Distance from the contour to the end of the meniscus: S = 2 L, times the artist's factor. Metres.
 double sweep_length(const Liquid& liquid);
 
+// How far the surface is raised: to the end of the meniscus, and where it is solved for, to where it is level. Metres.
+double raised_length(const Liquid& liquid);
+
 // Height of the contact line above the level liquid by the liquid's height rule, times the artist's factor. Metres,
 // signed. `beta` is the dihedral angle between solid and level liquid, through the liquid (90 degrees for a vertical
 // wall); radians. `curvature` of the contour, 1/m, positive round a post. wetting and equation2: 2 L (1 - alpha / pi)

@@ -158,7 +158,7 @@ class Builder {
 }  // namespace
 
 Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<ContactLine>& lines,
-             const std::vector<Body>& bodies, double sweep_length, Warnings& warnings) {
+             const std::vector<Body>& bodies, double sweep_length, double reach, Warnings& warnings) {
   Builder builder(liquid, patch, lines, sweep_length);
   builder.fill();
   const Triangulation& mesh = builder.mesh();
@@ -184,16 +184,16 @@ Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<Conta
     int within = 0, at_end = 0, beyond = 0;  // corners within menisci, at their ends, farther out
     for (const std::uint32_t k : v) {
       const Foot& foot = sheet.vertices[k].foot;
-      const double reach = foot.exists() ? lines[foot.line].sweep : 0;
-      const double left = reach - foot.distance;
-      ++(left > 1e-9 * sweep_length ? within : left > -1e-9 * sweep_length && reach > 0 ? at_end : beyond);
+      const double end = foot.exists() ? lines[foot.line].sweep : 0;
+      const double left = end - foot.distance;
+      ++(left > 1e-9 * sweep_length ? within : left > -1e-9 * sweep_length && end > 0 ? at_end : beyond);
     }
     if ((within > 0 && beyond == 0) || (beyond > 0 && within == 0)) {
       sheet.raised.push_back(within > 0);
       continue;
     }
     const glm::dvec2 centre = (sheet.vertices[v[0]].x + sheet.vertices[v[1]].x + sheet.vertices[v[2]].x) / 3.0;
-    const Foot foot = builder.field().foot(centre, sweep_length);
+    const Foot foot = builder.field().foot(centre, reach);
     bool raised = foot.exists() && foot.distance < lines[foot.line].sweep;
     if (!foot.exists()) {  // between a chord and the facets
       for (const std::uint32_t k : v)

@@ -48,6 +48,6 @@ struct Sheet {
 };
 
 Sheet remesh(const Topology& liquid, const Patch& patch, const std::vector<ContactLine>& lines,
-             const std::vector<Body>& bodies, double sweep_length, Warnings& warnings);
+             const std::vector<Body>& bodies, double sweep_length, double reach, Warnings& warnings);
 
 }  // namespace meniscus

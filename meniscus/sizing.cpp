@@ -42,7 +42,7 @@ void grade(std::vector<Size>& sizes, double length, bool closed) {
 }  // namespace
 
 std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
-                                         const Patch& patch, double sweep_length, Warnings& warnings) {
+                                         const Patch& patch, double sweep_length, double reach, Warnings& warnings) {
   const Field field(lines);
   std::vector<Resolution> result;
   double triangles = 0, whole = 0;  // length, metres
@@ -50,11 +50,11 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
     const ContactLine& line = lines[l];
     const std::size_t n = line.nodes.size();
     const double fine = kFineColumn * line.fineness.coarseness() * sweep_length;
-    const double wide = kAspect * line.fineness.spacing(0) * sweep_length;
+    const double wide = kAspect * line.fineness.spacing(0) * (line.profile == Profile::solved ? reach : sweep_length);
     Resolution resolution{{}, line.fineness};
     std::vector<double> free;
     for (const Node& node : line.nodes) {
-      free.push_back(node.joint ? 0 : free_length(node, field, patch, sweep_length));
+      free.push_back(node.joint ? 0 : free_length(node, field, patch, reach));
       resolution.sizes.push_back({0, free.back() > 0 ? wide : fine});
     }
     double length = 0;
@@ -74,9 +74,9 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
     grade(resolution.sizes, length, line.closed);
     for (std::size_t i = 0; i < line.segments(); ++i) {
       const double step = glm::distance(line.nodes[i].position, line.next(i).position);
-      const double reach = free[i] > 0 ? free[i] : sweep_length;
+      const double extent = free[i] > 0 ? free[i] : reach;
       constexpr double kAround = 1.4;  // triangles in and round the band, for each of the band's own
-      triangles += kAround * 2 * step / resolution.sizes[i].size * reach / (line.fineness.layer * sweep_length);
+      triangles += kAround * 2 * step / resolution.sizes[i].size * extent / (line.fineness.layer * sweep_length);
     }
     whole += length;
     result.push_back(std::move(resolution));

@@ -16,6 +16,6 @@ namespace meniscus {
 // than two million triangles together get coarser ones; a warning says what error that leaves, if it is beyond the
 // tolerance.
 std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
-                                         const Patch& patch, double sweep_length, Warnings& warnings);
+                                         const Patch& patch, double sweep_length, double reach, Warnings& warnings);
 
 }  // namespace meniscus

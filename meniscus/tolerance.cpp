@@ -23,12 +23,14 @@ constexpr double kSlack = 8;  // tolerances that a chord between columns may lea
 Error tolerance_for(const Liquid& liquid, double length, bool closed) {
   constexpr double kThin = 0.7, kMost = 12;  // capillary lengths; times
   const double radius = length / glm::two_pi<double>();
-  const double thin = closed ? std::clamp(kThin * liquid.capillary_length / radius, 1.0, kMost) : 1;
+  const bool solved = liquid.profile == Profile::solved;  // its errors would grow with those of the whole
+  const double thin = closed && !solved ? std::clamp(kThin * liquid.capillary_length / radius, 1.0, kMost) : 1;
   return {liquid.tolerance * thin * kHeightTolerance * liquid.capillary_length,
           liquid.tolerance * thin * glm::radians(kNormalTolerance)};
 }
 
 double Fineness::spacing(double d) const {
+  if (profile == Profile::solved) return std::min(first + growth * d, layer);
   const Falloff fall = falloff(profile, d);
   const double slope = steepness * fall.slope;
   const double bent = fall.bend > kMostBend ? layer * std::sqrt(kMostBend / fall.bend) : layer;
@@ -69,6 +71,11 @@ Fineness find_fineness(const Error& tolerance, Profile profile, double sweep_len
   }
   const double by_height = kHeight.columns * tolerance.height, by_normal = kNormal.columns * tolerance.normal;
   f.layer = std::clamp(std::sqrt(8 * kHeight.layers * tolerance.height / (rise * kMostBend)), kLeastLayer, kMostLayer);
+  if (profile == Profile::solved) {
+    const double scale = std::sqrt(tolerance.normal / glm::radians(kNormalTolerance));
+    f.layer = scale * 0.35 / 8, f.growth = 0.10 * scale;
+    f.first = scale * std::min(0.006 / 8, radius / (100 * sweep_length));
+  }
   f.layer_normal = kNormal.layers * tolerance.normal;
   // No coarser round a low meniscus: the contact line itself is seen.
   f.turn = std::min(Fineness::kColumnTurn * std::sqrt(tolerance.normal / glm::radians(kNormalTolerance)), kMostTurn);
@@ -95,7 +102,7 @@ Fineness find_fineness(const Contour& contour, double contact_angle, const Liqui
       highest = std::max(highest, std::abs(rise(liquid, contact_angle, beta, curvature)));
     }
   }
-  return find_fineness(tolerance_for(liquid, length, contour.closed), liquid.profile, sweep_length(liquid), highest,
+  return find_fineness(tolerance_for(liquid, length, contour.closed), liquid.profile, raised_length(liquid), highest,
                        length / glm::two_pi<double>());
 }
 

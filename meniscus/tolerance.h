@@ -27,11 +27,12 @@ struct Bound {
 // spacing^2 curvature / 8.
 struct Fineness {
   Profile profile = Profile::sine;
-  double steepness = 0;         // rise over sweep length
-  double layer = kWidestLayer;  // widest distance between layers, sweep lengths
-  double layer_normal = 1;      // error of normals between layers, radians
-  double turn = kColumnTurn;    // largest between columns, radians
-  Bound height{}, normal{};     // on the turn where the contact line is wide
+  double steepness = 0;          // rise over sweep length
+  double layer = kWidestLayer;   // widest distance between layers, sweep lengths
+  double first = 0, growth = 0;  // of the exact profile's layers: at the wall, and per distance
+  double layer_normal = 1;       // error of normals between layers, radians
+  double turn = kColumnTurn;     // largest between columns, radians
+  Bound height{}, normal{};      // on the turn where the contact line is wide
   Error tolerance{};
   Error error{};  // what is left, at most
 
@@ -40,7 +41,7 @@ struct Fineness {
 
   bool within_tolerance() const { return error.height <= tolerance.height && error.normal <= tolerance.normal; }
   // By how much layers are wider than usual.
-  double coarseness() const { return layer / kWidestLayer; }
+  double coarseness() const { return profile == Profile::solved ? layer * 8 / 0.35 : layer / kWidestLayer; }
   // Distance between layers at d = distance / sweep length from the wall, in sweep lengths.
   double spacing(double d) const;
   // Largest turn between columns where the contact line has this radius, metres; 0 in a fan.

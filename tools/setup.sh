@@ -11,7 +11,7 @@ packages=(
   g++ cmake ninja-build ccache
   glslang-tools spirv-tools
   libvulkan1 libvulkan-dev libvulkan-volk-dev mesa-vulkan-drivers vulkan-validationlayers
-  libglm-dev libopenmesh-dev libembree-dev libtinygltf-dev libstb-dev
+  libglm-dev libeigen3-dev libopenmesh-dev libembree-dev libtinygltf-dev libstb-dev
   libopenexr-dev libpng-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev

@@ -16,6 +16,7 @@ nlohmann::ordered_json contacts_json(const World& world) {
                       {"contact_angle_deg", glm::degrees(c.contact_angle)},
                       {"rise_min_m", c.rise_min},
                       {"rise_max_m", c.rise_max},
+                      {"shape", c.at_rest ? "young-laplace" : "profile"},
                       {"triangles", c.triangles},
                       {"warnings", c.warnings}});
   return list;

@@ -31,7 +31,7 @@ void describe_settings(Image& image, const Scene& scene, const RenderSettings& s
                        double meniscus_tolerance, const MapScale& scale) {
   image.text["software"] = "meniscal " MENISCAL_VERSION;
   image.text["sceneHash"] = scene.hash;
-  image.text["meniscusModel"] = model == MeniscusModel::none ? "none" : "paper";
+  image.text["meniscusModel"] = name_of(model);
   image.text["integrator"] = settings.integrator == Integrator::path       ? "path"
                              : settings.integrator == Integrator::ordinary ? "ordinary"
                                                                            : "targeted";

@@ -30,14 +30,21 @@ Json meniscus_json(const World& world, MeniscusModel model) {
       ++contours;
     }
   }
-  return {{"model", model == MeniscusModel::none ? "none" : "paper"},
-          {"contours", contours},
-          {"contacts", contacts_json(world)},
-          {"triangles", triangles},
-          {"rise_min_m", low},
-          {"rise_max_m", high},
-          {"seconds", world.meniscus_seconds},
-          {"warnings", world.warnings}};
+  meniscus::Solution solution;
+  for (const LiquidReport& l : world.liquids) solution.add(l.solution);
+  Json json{{"model", name_of(model)},
+            {"contours", contours},
+            {"contacts", contacts_json(world)},
+            {"triangles", triangles},
+            {"rise_min_m", low},
+            {"rise_max_m", high},
+            {"seconds", world.meniscus_seconds},
+            {"warnings", world.warnings}};
+  if (model == MeniscusModel::exact)
+    json["solution"] = {{"parts", solution.parts},           {"failed", solution.failed},
+                        {"unknowns", solution.unknowns},     {"newton_steps", solution.steps},
+                        {"last_step_m", solution.last_step}, {"height_error_m", solution.height_error}};
+  return json;
 }
 
 // Fluxes are those of the light itself: means over the passes, each of which estimates the whole.

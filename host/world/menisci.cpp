@@ -9,6 +9,18 @@
 
 namespace meniscal {
 
+const char* name_of(MeniscusModel model) {
+  switch (model) {
+    case MeniscusModel::none:
+      return "none";
+    case MeniscusModel::paper:
+      return "paper";
+    case MeniscusModel::exact:
+      break;
+  }
+  return "exact";
+}
+
 double capillary_length(const LiquidProperties& liquid, double gravity) {
   return std::sqrt(liquid.surface_tension / (liquid.density * gravity));
 }
@@ -35,6 +47,10 @@ meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusM
                    : p.profile == "circular"  ? circular
                    : p.profile == "bessel"    ? bessel
                                               : sine;
+  if (model == MeniscusModel::exact) {
+    liquid.profile = meniscus::Profile::solved;
+    if (liquid.height_scale != 0) liquid.height_scale = 1;
+  }
   liquid.flatten = p.flatten;
   liquid.tolerance = tolerance;
   if (p.tolerance) liquid.tolerance *= *p.tolerance / (meniscus::kHeightTolerance * liquid.capillary_length);
@@ -56,7 +72,6 @@ std::vector<meniscus::Solid> solids_for(const Scene& scene, const Material& liqu
 std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, double tolerance,
                                          std::vector<std::string>& warnings) {
   std::vector<LiquidSurface> liquids;
-  bool contacts = false;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const Material& material = scene.materials[object.material];
@@ -68,12 +83,15 @@ std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model
       throw Error(ExitCode::scene, scene.file + ": " + error.what());
     }
     const meniscus::Surface& surface = liquids.back().surface;
-    contacts = contacts || !surface.contacts.empty();
+    const LiquidProperties& p = *material.liquid;
+    if (model == MeniscusModel::exact && !surface.contacts.empty() &&
+        ((p.height_scale != 1 && p.height_scale != 0) || p.sweep_scale != 1))
+      warnings.push_back(
+          fmt::format("{}: liquid '{}': the scales of its menisci's height and sweep belong to the paper's "
+                      "profile; the exact one knows none (--meniscus paper)",
+                      scene.file, object.name));
     for (const std::string& w : surface.warnings) warnings.push_back(fmt::format("{}: {}", scene.file, w));
   }
-  if (model == MeniscusModel::exact && contacts)
-    warnings.push_back(scene.file +
-                       ": the exact meniscus is not available yet; the paper's profile is used (--meniscus paper)");
   return liquids;
 }
 

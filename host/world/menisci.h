@@ -10,7 +10,8 @@
 
 namespace meniscal {
 
-enum class MeniscusModel { none, paper, exact };  // exact: not built yet, answered by `paper` with a warning
+enum class MeniscusModel { none, paper, exact };
+const char* name_of(MeniscusModel model);
 
 // sqrt(surface tension / (density * gravity)), metres: the paper's length unit, section 3.
 double capillary_length(const LiquidProperties& liquid, double gravity);

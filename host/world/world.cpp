@@ -159,7 +159,8 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
       add_volume(world, object, material, &surface.mesh);
       world.liquids.push_back(
           {object.name, surface.contacts,
-           static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1))});
+           static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1)),
+           surface.solution});
       continue;
     }
     if (object.closed && m.transmission > 0 && signed_volume(object.mesh) < 0)

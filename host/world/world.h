@@ -58,6 +58,7 @@ struct LiquidReport {
   std::string liquid;
   std::vector<meniscus::Contact> contacts;
   std::size_t triangles = 0;  // of menisci
+  meniscus::Solution solution;
 };
 
 struct World {

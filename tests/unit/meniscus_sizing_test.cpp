@@ -164,7 +164,7 @@ TEST(Sizing, EndlessContoursAreCoarsenedWithAWarning) {
     std::vector<meniscus::Body> bodies;
     bodies.push_back({"pool", {}, meniscus::Tree({}), 0.5});
     meniscus::Warnings warnings;
-    const auto resolution = find_resolutions(lines, bodies, patch, kSweep, warnings);
+    const auto resolution = find_resolutions(lines, bodies, patch, kSweep, kSweep, warnings);
     ASSERT_EQ(resolution.size(), 1u);
     const meniscus::ContactLine line = refine(contour, 0, kSweep, resolution[0]);
     const meniscus::Grading grading(line, kSweep);

@@ -1,0 +1,142 @@
+#include "meniscus/equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <unordered_map>
+
+namespace meniscus {
+namespace {
+
+// The raised triangles in parts that share no moving vertex, each in ascending order.
+std::vector<std::vector<std::uint32_t>> find_parts(const Sheet& sheet, const std::vector<ContactLine>& lines) {
+  std::vector<std::uint32_t> parent(sheet.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  const auto moves = [&](std::uint32_t v) {
+    const Foot& foot = sheet.vertices[v].foot;
+    return foot.exists() && foot.distance < lines[foot.line].sweep;
+  };
+  const auto mover = [&](const glm::uvec3& t) {
+    for (int k = 0; k < 3; ++k)
+      if (moves(t[k])) return t[k];
+    return kNoVertex;
+  };
+  for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+    const std::uint32_t first = sheet.raised[t] ? mover(sheet.triangles[t]) : kNoVertex;
+    for (int k = 0; k < 3 && first != kNoVertex; ++k) {
+      const std::uint32_t v = sheet.triangles[t][k];
+      if (moves(v)) parent[root(v)] = root(first);
+    }
+  }
+  std::map<std::uint32_t, std::size_t> part_of;
+  std::vector<std::vector<std::uint32_t>> parts;
+  for (std::uint32_t t = 0; t < sheet.triangles.size(); ++t) {
+    const std::uint32_t first = sheet.raised[t] ? mover(sheet.triangles[t]) : kNoVertex;
+    if (first == kNoVertex) continue;
+    const auto [known, fresh] = part_of.try_emplace(root(first), parts.size());
+    if (fresh) parts.emplace_back();
+    parts[known->second].push_back(t);
+  }
+  return parts;
+}
+
+// Of a part at rest, the triangles whose slope counts stay targets of photons.
+void keep_steep(const std::vector<std::uint32_t>& part, const std::vector<Film::Point>& points, Sheet& sheet) {
+  constexpr double kSteep = 2, kShare = 0.1;  // degrees; of the steepest
+  std::unordered_map<std::uint32_t, double> slopes;
+  double steepest = 0;
+  for (const Film::Point& p : points) {
+    const glm::dvec3& n = p.at.normal;
+    steepest = std::max(steepest, slopes[p.vertex] = std::atan2(std::hypot(n.x, n.z), n.y));
+  }
+  const double least = std::min(glm::radians(kSteep), kShare * steepest);
+  for (const std::uint32_t t : part) {
+    bool steep = false;
+    for (int k = 0; k < 3; ++k) {
+      const auto slope = slopes.find(sheet.triangles[t][k]);
+      steep = steep || (slope != slopes.end() && slope->second > least);
+    }
+    sheet.raised[t] = steep;
+  }
+}
+
+// From above a level liquid at height 0 to above this one: sheared, as the heights are.
+glm::dvec3 above(const Base& base, const glm::dvec3& normal) {
+  return glm::normalize(normal + normal.y / base.normal.y * glm::dvec3(base.normal.x, 0, base.normal.z));
+}
+
+}  // namespace
+
+Solution equilibrate(Raised& raised, Sheet& sheet, std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
+                     const Liquid& liquid, const Warnings& as_raised, Warnings& warnings) {
+  FilmContext context{sheet, raised, lines, bodies, liquid.capillary_length, {}, {}};
+  context.local.assign(sheet.vertices.size(), kNoVertex);
+  for (const ContactLine& line : lines) context.contact_at.emplace_back(line.nodes.size(), kNoVertex);
+  for (std::uint32_t v = 0; v < sheet.vertices.size(); ++v) {
+    const Sheet::Vertex& vertex = sheet.vertices[v];
+    if (vertex.node) context.contact_at[vertex.foot.line][vertex.foot.node] = v;
+  }
+  Solution solution;
+  std::set<std::size_t> failed;         // solids
+  std::map<std::size_t, Share> pinned;  // by solid
+  for (const std::vector<std::uint32_t>& part : find_parts(sheet, lines)) {
+    // Menisci that meet may rise far above where each would alone; on slanted solids what is raised is nearer.
+    Film film(context, part, Film::Start::raised);
+    if (film.upright()) film = Film(context, part, Film::Start::level);
+    Film::Outcome outcome = film.solve();
+    if (!outcome.converged) {
+      film = Film(context, part, film.upright() ? Film::Start::raised : Film::Start::level);
+      const int steps = outcome.steps;
+      outcome = film.solve(), outcome.steps += steps;
+    }
+    ++solution.parts;
+    solution.unknowns += film.unknowns(), solution.steps += static_cast<std::size_t>(outcome.steps);
+    const std::vector<Film::Point> points = film.points();
+    if (!outcome.converged) {
+      ++solution.failed;
+      for (const Film::Point& p : points) failed.insert(lines[sheet.vertices[p.vertex].foot.line].solid);
+      continue;
+    }
+    solution.last_step = std::max(solution.last_step, outcome.last_step);
+    solution.height_error = std::max(solution.height_error, film.sagitta());
+    for (const Film::Point& p : points) {
+      const Sheet::Vertex& vertex = sheet.vertices[p.vertex];
+      const Base& base = raised.base[p.vertex];
+      Lifted& at = raised.at[p.vertex];
+      at.normal = raised.across[p.vertex] = above(base, p.at.normal);
+      if (!liquid.flatten) at.position = p.at.position + glm::dvec3(0, base.position.y, 0);
+      if (!vertex.node) continue;
+      ContactLine& line = lines[vertex.foot.line];
+      line.nodes[vertex.foot.node].contact.rise = p.at.position.y;
+      line.at_rest = true;
+      pinned[line.solid].add(0, 1);
+    }
+    keep_steep(part, points, sheet);
+    for (const std::uint32_t v : film.pinned()) pinned[lines[sheet.vertices[v].foot.line].solid].add(1, 0);
+  }
+  for (const auto& [solid, share] : pinned) {
+    if (share.part == 0) continue;
+    warnings.push_back({"solid '" + bodies[solid].name + "': the contact line is pinned along " + share.percent() +
+                            " of its length, at an edge or an end of the solid",
+                        {solid}});
+  }
+  for (const std::size_t solid : failed) {
+    warnings.push_back({"solid '" + bodies[solid].name +
+                            "': the shape of its meniscus at rest was not found; it has the paper's profile, as high "
+                            "as at a straight or round wall",
+                        {solid}});
+  }
+  for (const Warning& w : as_raised) {
+    if (std::any_of(w.solids.begin(), w.solids.end(), [&](std::size_t s) { return failed.contains(s); }))
+      warnings.push_back(w);
+  }
+  return solution;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,101 @@
+// One connected part of the liquid's surface, moved to rest by Newton's method.
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "meniscus/rail.h"
+#include "meniscus/raise.h"
+
+namespace meniscus {
+
+constexpr std::uint32_t kNoVertex = 0xffffffff;
+
+// What all films of a sheet share.
+struct FilmContext {
+  const Sheet& sheet;
+  const Raised& raised;
+  const std::vector<ContactLine>& lines;
+  const std::vector<Body>& bodies;
+  double capillary_length;                             // metres
+  std::vector<std::vector<std::uint32_t>> contact_at;  // the sheet's vertex at each line's node
+  std::vector<std::uint32_t> local;                    // scratch: per vertex of the sheet kNoVertex
+};
+
+// Unknowns: for each vertex how far it goes along its own normal, for each contact vertex how far it slides on its
+// rail. What lies between a contact line and the end of its meniscus is carried along as the line slides, the less the
+// farther away. Equations: the forces on each vertex cancel along its normal; on a contact vertex, along its rail, the
+// solid's pull cos(contact angle) too. Heights count from the level liquid below, so that a wavy one keeps its waves.
+class Film {
+ public:
+  // Of these triangles of the sheet, at the positions to which they are raised or level.
+  enum class Start { raised, level };
+  Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, Start start);
+
+  struct Outcome {
+    bool converged = false;
+    int steps = 0;
+    double last_step = 0;  // metres: the last full Newton step
+  };
+  bool upright() const;  // do all solids stand upright, or as good as?
+
+  // From the start; from the level, where the surface rests if contact angles are the solids' slants, in as many steps
+  // from these angles to the given ones as it takes.
+  Outcome solve();
+
+  struct Point {
+    std::uint32_t vertex;  // of the sheet
+    Lifted at;             // position and normal above a level liquid at height 0
+  };
+  std::vector<Point> points() const;  // of the vertices that move
+  double sagitta() const;             // how far the facets leave the surface, at most; metres
+  std::size_t unknowns() const { return unknowns_; }
+  std::size_t contacts() const { return contacts_.size(); }
+  // Contact vertices pinned at an edge or an end of their solid, as vertices of the sheet.
+  std::vector<std::uint32_t> pinned() const;
+
+ private:
+  struct Follow {
+    std::uint32_t contact;
+    double weight;
+  };
+  struct Vertex {
+    std::uint32_t in_sheet;
+    glm::dvec3 x, way{0};
+    bool upright = false;  // on the liquid's own border: moves vertically
+    std::uint32_t unknown = kNoVertex, contact = kNoVertex;
+    std::vector<Follow> follows{};
+  };
+  struct ContactVertex {
+    std::uint32_t vertex, unknown;
+    const Node* node;
+    const Body* body;
+    std::uint32_t before = kNoVertex, next = kNoVertex;  // contacts
+    Rail rail{};
+    double angle, slant;  // contact angle; that at which the surface is level
+    double slide = 0;
+    int held = 0;  // at an end of its rail: -1 low, 1 high
+    bool pinned() const { return held > 0 ? rail.ends_high : held < 0 && rail.ends_low; }
+  };
+
+  void link(const FilmContext& context);
+  Outcome settle();
+  std::vector<glm::dvec3> facet_normals() const;
+  void rebase(double rail_length);
+  Eigen::VectorXd newton_step();
+  void add_wetting(Eigen::VectorXd& force, std::vector<Eigen::Triplet<double>>& entries) const;
+  double advance(const Eigen::VectorXd& step);
+  std::vector<glm::dvec3> normals() const;
+
+  double angle_at(const ContactVertex& c) const { return c.slant + progress_ * (c.angle - c.slant); }
+
+  double length_;
+  Start start_;
+  double progress_ = 1;  // from slants to contact angles
+  std::uint32_t unknowns_ = 0;
+  std::vector<Vertex> vertices_;
+  std::vector<ContactVertex> contacts_;
+  std::vector<glm::uvec3> triangles_;
+  std::vector<glm::dvec3> shares_;  // of the triangles' corners in their weight
+};
+
+}  // namespace meniscus
