@@ -2,54 +2,10 @@
 #include <cmath>
 
 #include "tests/support/csv.h"
-#include "tests/support/scene_setup.h"
+#include "tests/support/rings.h"
 
 namespace meniscal {
 namespace {
-
-constexpr double bin_mm = 0.05;
-
-struct Rings {
-  std::vector<double> irradiance;  // mean over the samples of each 0.05 mm ring, relative to the light's
-  Tallies tallies;                 // sums over the passes
-  double final_radius_mm = 0;
-};
-
-Rings render_rings(const test::Setup& setup, std::uint32_t passes) {
-  GpuBackend gpu(gpu::Device::open("auto"), setup.world, setup.settings);
-  std::vector<double> sums(240), counts(240);
-  Rings rings;
-  for (std::uint32_t pass = 0; pass < passes; ++pass) {
-    const test::PassResult result = test::render_pass(gpu, pass);
-    for (const shared::PixelSample& s : result.samples) {
-      const auto bin = static_cast<std::size_t>(1e3 * std::hypot(double(s.position.x), double(s.position.z)) / bin_mm);
-      if (s.triangle >= shared::END_FIRST || bin >= sums.size()) continue;
-      sums[bin] += double(s.direct.x + s.targeted.x + s.caustic.x);
-      counts[bin] += 1;
-    }
-    for (std::size_t i = 0; i < rings.tallies.size(); ++i) rings.tallies[i].add(result.tallies[i]);
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i) rings.irradiance.push_back(counts[i] > 0 ? sums[i] / counts[i] : 0);
-  rings.final_radius_mm = 1e3 * disc_radius(setup.settings, passes - 1);
-  return rings;
-}
-
-double mean_beyond(const Rings& rings, double from_mm, double to_mm) {
-  double sum = 0, weight = 0;
-  for (std::size_t i = 0; i < rings.irradiance.size(); ++i) {
-    const double r = (double(i) + 0.5) * bin_mm;
-    if (r < from_mm || r > to_mm) continue;
-    sum += r * rings.irradiance[i];
-    weight += r;
-  }
-  return sum / weight;
-}
-
-RenderOptions post_options() {
-  RenderOptions options = test::small_options(500000, 400, 400);
-  options.radius = 2.1e-4;
-  return options;
-}
 
 void set_post(Scene& scene, const std::string& rule, double theta) {
   for (Material& m : scene.materials) {
@@ -69,33 +25,17 @@ class Post : public testing::TestWithParam<Case> {};
 TEST_P(Post, FloorAndFluxFollowTheTables) {
   REQUIRE_DEVICE();
   const Case& c = GetParam();
-  const auto setup = test::make_setup(c.shape == "full" ? "post" : "post_stub", post_options(), [&](Scene& scene) {
-    set_post(scene, c.column == "B" ? "wetting" : "equation2", c.theta);
-  });
-  const Rings rings = render_rings(*setup, 3);
+  const auto setup =
+      test::make_setup(c.shape == "full" ? "post" : "post_stub", test::post_options(),
+                       [&](Scene& scene) { set_post(scene, c.column == "B" ? "wetting" : "equation2", c.theta); });
+  const test::Rings rings = test::render_rings(*setup, 3);
 
   const std::string data = std::string(TEST_DATA) + "/", column = c.column + "_theta_" + std::to_string(c.theta);
   const auto table = test::read_csv(data + "caustic_paper_cyl_R2_H50_" + c.shape + ".csv");
   std::vector<double> truth;
   for (const test::Row& row : table) truth.push_back(test::number(row, column));
-  // Bins beside a fold or a jump are blurred by the kernel: left out within two bins or the final radius.
-  const auto reach = static_cast<int>(std::ceil(std::max(2.0, rings.final_radius_mm / bin_mm)));
-  const auto beside_jump = [&](int bin) {
-    for (int i = std::max(bin - reach, 0); i <= bin + reach && i + 1 < int(truth.size()); ++i)
-      if (std::abs(truth[i + 1] - truth[i]) > 0.1) return true;
-    return false;
-  };
-  double squares = 0;
-  int bins = 0;
-  for (int i = 50; i < 240; ++i) {  // r' from 2.5 to 12 mm
-    if (beside_jump(i)) continue;
-    const double error = (rings.irradiance[i] - truth[i]) / std::max(truth[i], 1.0);
-    squares += error * error;
-    ++bins;
-  }
-  ASSERT_GT(bins, 100);
-  const double rms = std::sqrt(squares / bins);
-  EXPECT_LT(rms, 0.02);
+  const test::Deviation off = test::compare(rings, truth);
+  EXPECT_LT(off.rms, 0.02);
 
   const std::string name = "paper" + c.column + " R2 H50 " + c.shape + " theta" + std::to_string(c.theta);
   const Tally& tally = rings.tallies[shared::MAP_TARGETED];
@@ -114,7 +54,8 @@ TEST_P(Post, FloorAndFluxFollowTheTables) {
     const double mirrored_count = double(tally.kept) * mirrored / test::number(row, "incident");
     const double mirrored_tolerance = mirrored * std::max(0.005, 3 / std::sqrt(mirrored_count));
     const double post = landed_mm2("post"), up = tally.flux_escaped / 3 * 1e6;
-    std::printf("%s: rms %.4f, floor %.3f, post %.3f, up %.3f mm2\n", name.c_str(), rms, landed_mm2("floor"), post, up);
+    std::printf("%s: rms %.4f, floor %.3f, post %.3f, up %.3f mm2\n", name.c_str(), off.rms, landed_mm2("floor"), post,
+                up);
     if (absorbed > 0) {
       EXPECT_NEAR(post, absorbed, 0.005 * absorbed);
       EXPECT_NEAR(up, mirrored, mirrored_tolerance);
@@ -140,21 +81,21 @@ INSTANTIATE_TEST_SUITE_P(Tables, Post, testing::ValuesIn(all_cases()), [](const 
 
 TEST(Floor, WithoutMenisciReadsTheFresnelTransmittance) {
   REQUIRE_DEVICE();
-  RenderOptions options = post_options();
+  RenderOptions options = test::post_options();
   options.meniscus = MeniscusModel::none;
   const auto setup = test::make_setup("post", options);
   EXPECT_EQ(test::find_stratum(setup->world, "targeted"), nullptr);
-  EXPECT_NEAR(mean_beyond(render_rings(*setup, 2), 2.3, 12), 0.979627, 1e-3);
+  EXPECT_NEAR(test::mean_beyond(test::render_rings(*setup, 2), 2.3, 12), 0.979627, 1e-3);
 }
 
 TEST(Floor, UnderALiquidOfIndexOneReadsOne) {
   REQUIRE_DEVICE();
-  const auto setup = test::make_setup("post", post_options(), [](Scene& scene) {
+  const auto setup = test::make_setup("post", test::post_options(), [](Scene& scene) {
     for (Material& m : scene.materials)
       if (m.liquid) m.ior = 1;
   });
   ASSERT_NE(test::find_stratum(setup->world, "targeted"), nullptr);
-  EXPECT_NEAR(mean_beyond(render_rings(*setup, 2), 2.3, 12), 1, 1e-3);
+  EXPECT_NEAR(test::mean_beyond(test::render_rings(*setup, 2), 2.3, 12), 1, 1e-3);
 }
 
 }  // namespace
