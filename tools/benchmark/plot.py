@@ -23,6 +23,11 @@ def spread(heights):
     return placed
 
 
+def text(x, y, words, **attributes):
+    listed = " ".join(f'{k.replace("_", "-")}="{v}"' for k, v in {"text_anchor": "middle", **attributes}.items())
+    return f'<text x="{x:.1f}" y="{y:.1f}" {listed}>{words}</text>'
+
+
 def write(path, title, x_label, y_label, curves):
     """curves: name -> [(x, y)], all above 0."""
     points = [p for curve in curves.values() for p in curve]
@@ -32,10 +37,6 @@ def write(path, title, x_label, y_label, curves):
         low, high = spans[axis]
         part = math.log(value / low) / math.log(high / low)
         return LEFT + part * (WIDTH - LEFT - RIGHT) if axis == 0 else HEIGHT - BOTTOM - part * (HEIGHT - BOTTOM - TOP)
-
-    def text(x, y, words, **attributes):
-        listed = " ".join(f'{k.replace("_", "-")}="{v}"' for k, v in {"text_anchor": "middle", **attributes}.items())
-        return f'<text x="{x:.1f}" y="{y:.1f}" {listed}>{words}</text>'
 
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="11">',
              f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>', text((LEFT + WIDTH - RIGHT) / 2, 15, title)]
