@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"meniscus", "area_light", meniscus_alone, {"direct", "targeted"}, Integrator::path, 8000, 0, 0.2 * mm, 16},
         Case{"glass", "sphere", glass_ball, {"direct", "caustic"}, Integrator::ordinary, 1000, 0, 0.45 * mm, 0},
-        Case{"tank", "tank", wide_lamp, all, Integrator::path, 8000, 2, 1.5 * mm, 4},
+        Case{"tank", "tank", wide_lamp, all, Integrator::path, 8000, 2, 1.5 * mm, 16},
         Case{"mirror", "post", mirror, {"direct", "targeted", "caustic"}, Integrator::ordinary, 1000, 0, 0.8 * mm, 0}),
     name_of);
 const Case beaker{"beaker", "beaker", beside_beaker, all, Integrator::ordinary, 4000, 1, 3 * mm, 0};
