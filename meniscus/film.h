@@ -5,6 +5,7 @@
 
 #include "meniscus/rail.h"
 #include "meniscus/raise.h"
+#include "meniscus/tension.h"
 
 namespace meniscus {
 
@@ -77,10 +78,17 @@ class Film {
     bool pinned() const { return held > 0 ? rail.ends_high : held < 0 && rail.ends_low; }
   };
 
+  struct FirstFacet {
+    double force = 0, by_weight = 0;  // on the contact vertex, along its rail; its change with the facet's weight
+    glm::dvec3 by_normal{0};          // and with the facet's normal
+  };
+
   void link(const FilmContext& context);
   Outcome settle();
   std::vector<glm::dvec3> facet_normals() const;
   void rebase(double rail_length);
+  FirstFacet first_facet(const ContactVertex& c, const FacetForces& f, const glm::dvec3 p[3], int i,
+                         const glm::uvec3& t) const;
   Eigen::VectorXd newton_step();
   void add_wetting(Eigen::VectorXd& force, std::vector<Eigen::Triplet<double>>& entries) const;
   double advance(const Eigen::VectorXd& step);

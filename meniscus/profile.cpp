@@ -9,9 +9,6 @@
 namespace meniscus {
 namespace {
 
-// Capillary lengths from a contact line to where the surface is level but for 0.03 % of the rise and of the slope.
-constexpr double kFar = 8;
-
 Falloff sine(double d) {
   constexpr double k = glm::half_pi<double>();
   const double s = std::sin(k * d), c = std::cos(k * d);

@@ -6,6 +6,9 @@
 
 namespace meniscus {
 
+// Capillary lengths from a contact line to where a solved surface is level but for 0.03 % of its rise and slope.
+constexpr double kFar = 8;
+
 // Distance from the contour to the end of the meniscus: S = 2 L, times the artist's factor. Metres.
 double sweep_length(const Liquid& liquid);
 

@@ -73,8 +73,9 @@ Fineness find_fineness(const Error& tolerance, Profile profile, double sweep_len
   f.layer = std::clamp(std::sqrt(8 * kHeight.layers * tolerance.height / (rise * kMostBend)), kLeastLayer, kMostLayer);
   if (profile == Profile::solved) {
     const double scale = std::sqrt(tolerance.normal / glm::radians(kNormalTolerance));
-    f.layer = scale * 0.35 / 8, f.growth = 0.10 * scale;
-    f.first = scale * std::min(0.006 / 8, radius / (100 * sweep_length));
+    constexpr double kFirst = 0.006, kOfRadius = 0.01, kGrowth = 0.1;  // capillary lengths; radii; per distance
+    f.layer = scale * Fineness::kWidestSolved, f.growth = scale * kGrowth;
+    f.first = scale * std::min(kFirst / kFar, kOfRadius * radius / sweep_length);
   }
   f.layer_normal = kNormal.layers * tolerance.normal;
   // No coarser round a low meniscus: the contact line itself is seen.

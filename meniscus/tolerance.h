@@ -3,6 +3,7 @@
 
 #include "meniscus/contour.h"
 #include "meniscus/meniscus.h"
+#include "meniscus/profile.h"
 
 namespace meniscus {
 
@@ -37,11 +38,12 @@ struct Fineness {
   Error error{};  // what is left, at most
 
   static constexpr double kWidestLayer = 1.0 / 66, kFinestLayer = 1.0 / 360;  // of the usual meniscus
+  static constexpr double kWidestSolved = 0.35 / kFar;                        // of the exact one
   static constexpr double kColumnTurn = 0.0491;                               // 128 columns round a circle
 
   bool within_tolerance() const { return error.height <= tolerance.height && error.normal <= tolerance.normal; }
   // By how much layers are wider than usual.
-  double coarseness() const { return profile == Profile::solved ? layer * 8 / 0.35 : layer / kWidestLayer; }
+  double coarseness() const { return layer / (profile == Profile::solved ? kWidestSolved : kWidestLayer); }
   // Distance between layers at d = distance / sweep length from the wall, in sweep lengths.
   double spacing(double d) const;
   // Largest turn between columns where the contact line has this radius, metres; 0 in a fan.
