@@ -59,14 +59,22 @@ void share_out(Surface& surface, const std::vector<std::size_t>& line, const std
         surface.contacts[l].warnings.push_back(w.text);
 }
 
-void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
+// Looks within `first` metres, then farther and farther up to `reach`: what is tried beyond a near wall stands inside
+// it.
+void find_free_lengths(std::vector<ContactLine>& lines, double first, double reach) {
   const Field field(lines);
   for (ContactLine& line : lines) {
     for (Node& node : line.nodes) {
       for (const Side* side : {&node.contact, &node.before, &node.after}) {
         if (side != &node.contact && !node.joint) continue;
-        const double limit = std::min(reach, node.free);
-        node.free = std::min(node.free, field.free_length(planar(node.position), side->direction, limit, 8));
+        const double most = std::min(reach, node.free);
+        for (double within = first;; within *= 2) {
+          const double limit = std::min(within, most);
+          const double free = field.free_length(planar(node.position), side->direction, limit, 8);
+          if (free >= limit && limit < most) continue;
+          node.free = std::min(node.free, free);
+          break;
+        }
       }
     }
   }
@@ -74,7 +82,7 @@ void find_free_lengths(std::vector<ContactLine>& lines, double reach) {
 
 // Between near walls the surface bends within their distance: the exact profile's layers follow the narrowest tenth.
 void refine_in_gaps(ContactLine& line, double reach) {
-  constexpr double kLayers = 50, kFinest = 1.0 / 20;
+  constexpr double kLayers = 100, kFinest = 1.0 / 20;
   std::vector<double> free;
   for (const Node& node : line.nodes) free.push_back(node.free);
   const auto narrow = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 10);
@@ -199,7 +207,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
     lines[l].sweep = reach;
     measure_curvature(lines[l], kCurved * liquid.capillary_length);
   }
-  find_free_lengths(lines, reach);
+  find_free_lengths(lines, liquid.profile == Profile::solved ? unit / 16 : reach, reach);
   for (ContactLine& line : lines) refine_in_gaps(line, reach);
   const bool solved = liquid.profile == Profile::solved;
   Warnings as_raised;                   // of a start that is solved for
