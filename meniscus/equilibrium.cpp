@@ -97,15 +97,15 @@ Solution equilibrate(Raised& raised, Sheet& sheet, std::vector<ContactLine>& lin
     }
     ++solution.parts;
     solution.unknowns += film.unknowns(), solution.steps += static_cast<std::size_t>(outcome.steps);
-    const std::vector<Film::Point> points = film.points();
     if (!outcome.converged) {
       ++solution.failed;
-      for (const Film::Point& p : points) failed.insert(lines[sheet.vertices[p.vertex].foot.line].solid);
+      for (const std::uint32_t t : part) failed.insert(lines[sheet.line_of(t)].solid);
       continue;
     }
     solution.last_step = std::max(solution.last_step, outcome.last_step);
-    solution.height_error = std::max(solution.height_error, film.sagitta());
-    for (const Film::Point& p : points) {
+    const Film::Shape shape = film.shape();
+    solution.height_error = std::max(solution.height_error, shape.sagitta);
+    for (const Film::Point& p : shape.points) {
       const Sheet::Vertex& vertex = sheet.vertices[p.vertex];
       const Base& base = raised.base[p.vertex];
       Lifted& at = raised.at[p.vertex];
@@ -117,7 +117,7 @@ Solution equilibrate(Raised& raised, Sheet& sheet, std::vector<ContactLine>& lin
       line.at_rest = true;
       pinned[line.solid].add(0, 1);
     }
-    keep_steep(part, points, sheet);
+    keep_steep(part, shape.points, sheet);
     for (const std::uint32_t v : film.pinned()) pinned[lines[sheet.vertices[v].foot.line].solid].add(1, 0);
   }
   for (const auto& [solid, share] : pinned) {

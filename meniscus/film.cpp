@@ -4,9 +4,6 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "meniscus/predicates.h"
-#include "meniscus/tension.h"
-
 namespace meniscus {
 
 Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, Start start)
@@ -165,7 +162,8 @@ void Film::rebase(double rail_length) {
 // Goes as large a part of the step as turns no facet too far, and returns it; 0 where there is none.
 double Film::advance(const Eigen::VectorXd& step) {
   constexpr double kTurn = 0.3, kLeast = 1e-3;  // cosine; part
-  const std::vector<Vertex> was = vertices_;
+  std::vector<glm::dvec3> was;
+  for (const Vertex& vertex : vertices_) was.push_back(vertex.x);
   const std::vector<ContactVertex> were = contacts_;
   double whole = 1;  // no farther on any rail than it is known; where the solid itself ends, the line stays behind
   for (const ContactVertex& c : contacts_) {
@@ -190,14 +188,13 @@ double Film::advance(const Eigen::VectorXd& step) {
       }
     }
     const bool sound = std::all_of(triangles_.begin(), triangles_.end(), [&](const glm::uvec3& t) {
-      const auto normal = [&](const std::vector<Vertex>& at) {
-        return glm::cross(at[t.y].x - at[t.x].x, at[t.z].x - at[t.x].x);
-      };
-      const glm::dvec3 a = normal(was), b = normal(vertices_);
+      const glm::dvec3 a = glm::cross(was[t.y] - was[t.x], was[t.z] - was[t.x]);
+      const glm::dvec3 p = vertices_[t.x].x, b = glm::cross(vertices_[t.y].x - p, vertices_[t.z].x - p);
       return glm::dot(a, b) > kTurn * glm::length(a) * glm::length(b);
     });
     if (sound) return part;
-    vertices_ = was, contacts_ = were;
+    for (std::size_t i = 0; i < was.size(); ++i) vertices_[i].x = was[i];
+    contacts_ = were;
   }
   return 0;
 }

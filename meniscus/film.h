@@ -47,10 +47,12 @@ class Film {
     std::uint32_t vertex;  // of the sheet
     Lifted at;             // position and normal above a level liquid at height 0
   };
-  std::vector<Point> points() const;  // of the vertices that move
-  double sagitta() const;             // how far the facets leave the surface, at most; metres
+  struct Shape {
+    std::vector<Point> points;  // of the vertices that move
+    double sagitta = 0;         // how far the facets leave the surface, at most; metres
+  };
+  Shape shape() const;
   std::size_t unknowns() const { return unknowns_; }
-  std::size_t contacts() const { return contacts_.size(); }
   // Contact vertices pinned at an edge or an end of their solid, as vertices of the sheet.
   std::vector<std::uint32_t> pinned() const;
 

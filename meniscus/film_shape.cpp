@@ -38,29 +38,24 @@ std::vector<glm::dvec3> Film::normals() const {
   return normals;
 }
 
-std::vector<Film::Point> Film::points() const {
-  const std::vector<glm::dvec3> all = normals();
-  std::vector<Point> result;
+Film::Shape Film::shape() const {
+  const std::vector<glm::dvec3> at = normals();
+  Shape shape;
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vertex& vertex = vertices_[i];
     if (vertex.unknown == kNoVertex && vertex.contact == kNoVertex) continue;
     // Back on the facet, so that no light slips in between.
     const glm::dvec3 bulge = vertex.contact == kNoVertex ? glm::dvec3(0) : contacts_[vertex.contact].rail.bulge;
-    result.push_back({vertex.in_sheet, {vertex.x - bulge, all[i]}});
+    shape.points.push_back({vertex.in_sheet, {vertex.x - bulge, at[i]}});
   }
-  return result;
-}
-
-double Film::sagitta() const {
-  const std::vector<glm::dvec3> at = normals();
-  double most = 0;
   for (const glm::uvec3& t : triangles_) {
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      most = std::max(most, std::abs(glm::dot(at[b] - at[a], vertices_[b].x - vertices_[a].x)) / 8);
+      const double sagitta = std::abs(glm::dot(at[b] - at[a], vertices_[b].x - vertices_[a].x)) / 8;
+      shape.sagitta = std::max(shape.sagitta, sagitta);
     }
   }
-  return most;
+  return shape;
 }
 
 std::vector<std::uint32_t> Film::pinned() const {

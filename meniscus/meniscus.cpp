@@ -207,9 +207,10 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
     lines[l].sweep = reach;
     measure_curvature(lines[l], kCurved * liquid.capillary_length);
   }
-  find_free_lengths(lines, liquid.profile == Profile::solved ? unit / 16 : reach, reach);
-  for (ContactLine& line : lines) refine_in_gaps(line, reach);
   const bool solved = liquid.profile == Profile::solved;
+  find_free_lengths(lines, solved ? unit / 16 : reach, reach);
+  if (solved)
+    for (ContactLine& line : lines) refine_in_gaps(line, reach);
   Warnings as_raised;                   // of a start that is solved for
   std::map<std::size_t, Share> pinned;  // by solid
   for (ContactLine& line : lines) {

@@ -58,6 +58,14 @@ INSTANTIATE_TEST_SUITE_P(Slow, OfAllPosts,
                          testing::Values("0.01", "0.0128", "0.02", "0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10",
                                          "20", "50", "100"));
 
+// Checks the rows of a table that `wanted` takes, and returns how many.
+int check_rows(const std::string& name, const std::function<bool(const Row&)>& wanted, void (*check)(const Row&)) {
+  int checked = 0;
+  for (const Row& row : table(name))
+    if (wanted(row)) check(row), ++checked;
+  return checked;
+}
+
 // A liquid that ends within the tube's wall.
 void check_tube(const Row& row) {
   SCOPED_TRACE("radius " + row.at("R_over_L") + ", theta " + row.at("theta"));
@@ -72,19 +80,16 @@ void check_tube(const Row& row) {
 }
 
 TEST(SolvedHeight, InTubesIsThatOfTheTable) {
-  int checked = 0;
-  for (const Row& row : table("h0_tube_interior.csv")) {
+  const auto chosen = [](const Row& row) {
     const dvec2 at(number(row, "R_over_L"), number(row, "theta"));
-    if (at == dvec2(0.5, 30) || at == dvec2(2, 120)) check_tube(row), ++checked;
-  }
-  EXPECT_EQ(checked, 2);
+    return at == dvec2(0.5, 30) || at == dvec2(2, 120);
+  };
+  EXPECT_EQ(check_rows("h0_tube_interior.csv", chosen, check_tube), 2);
 }
 
 TEST_P(InAllTubes, AreThoseOfTheTable) {
-  int checked = 0;
-  for (const Row& row : table("h0_tube_interior.csv"))
-    if (row.at("R_over_L") == GetParam() && number(row, "h_wall") != 0) check_tube(row), ++checked;
-  EXPECT_EQ(checked, 6);
+  const auto of_this = [](const Row& row) { return row.at("R_over_L") == GetParam() && number(row, "h_wall") != 0; };
+  EXPECT_EQ(check_rows("h0_tube_interior.csv", of_this, check_tube), 6);
 }
 INSTANTIATE_TEST_SUITE_P(Slow, InAllTubes, testing::Values("0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10", "20"));
 
@@ -117,19 +122,16 @@ void check_plates(const Row& row) {
 }
 
 TEST(SolvedHeight, BetweenPlatesIsThatOfTheTable) {
-  int checked = 0;
-  for (const Row& row : table("h0_plates.csv")) {
+  const auto chosen = [](const Row& row) {
     const dvec2 at(number(row, "gap_over_L"), number(row, "theta"));
-    if (at == dvec2(1, 30) || at == dvec2(2, 120)) check_plates(row), ++checked;
-  }
-  EXPECT_EQ(checked, 2);
+    return at == dvec2(1, 30) || at == dvec2(2, 120);
+  };
+  EXPECT_EQ(check_rows("h0_plates.csv", chosen, check_plates), 2);
 }
 
 TEST_P(BetweenAllPlates, AreThoseOfTheTable) {
-  int checked = 0;
-  for (const Row& row : table("h0_plates.csv"))
-    if (row.at("gap_over_L") == GetParam() && number(row, "h_wall") != 0) check_plates(row), ++checked;
-  EXPECT_EQ(checked, 6);
+  const auto of_this = [](const Row& row) { return row.at("gap_over_L") == GetParam() && number(row, "h_wall") != 0; };
+  EXPECT_EQ(check_rows("h0_plates.csv", of_this, check_plates), 6);
 }
 INSTANTIATE_TEST_SUITE_P(Slow, BetweenAllPlates,
                          testing::Values("0.1", "0.2", "0.5", "1", "2", "3", "4", "6", "8", "10"));
@@ -152,19 +154,18 @@ void check_wall(const Row& row) {
 }
 
 TEST(SolvedHeight, AtTiltedWallsIsThatOfTheTable) {
-  int checked = 0;
-  for (const Row& row : table("h0_tilted_wall.csv")) {
+  const auto chosen = [](const Row& row) {
     const dvec2 at(number(row, "beta_through_liquid"), number(row, "theta"));
-    if (at == dvec2(45, 30) || at == dvec2(90, 30) || at == dvec2(120, 60)) check_wall(row), ++checked;
-  }
-  EXPECT_EQ(checked, 3);
+    return at == dvec2(45, 30) || at == dvec2(90, 30) || at == dvec2(120, 60);
+  };
+  EXPECT_EQ(check_rows("h0_tilted_wall.csv", chosen, check_wall), 3);
 }
 
 TEST_P(AtAllTiltedWalls, AreThoseOfTheTable) {
-  int checked = 0;
-  for (const Row& row : table("h0_tilted_wall.csv"))
-    if (row.at("beta_through_liquid") == GetParam() && number(row, "h0_over_L") != 0) check_wall(row), ++checked;
-  EXPECT_GE(checked, 6);
+  const auto of_this = [](const Row& row) {
+    return row.at("beta_through_liquid") == GetParam() && number(row, "h0_over_L") != 0;
+  };
+  EXPECT_GE(check_rows("h0_tilted_wall.csv", of_this, check_wall), 6);
 }
 INSTANTIATE_TEST_SUITE_P(Slow, AtAllTiltedWalls,
                          testing::Values("15", "30", "45", "60", "75", "90", "105", "120", "135", "150", "165"));
