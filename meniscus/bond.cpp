@@ -199,6 +199,19 @@ std::size_t count_disorder(const ContactLine& line) {
 
 }  // namespace
 
+double run_out(const ContactLine& line, const Body& body, const Liquid& liquid) {
+  double farthest = 0;
+  for (const Node& node : line.nodes) {
+    for (const Side* side : {&node.before, &node.after}) {
+      const double rise = wanted_rise(node, *side, body, liquid);
+      farthest = std::max(farthest, -rise / std::tan(dihedral(side->solid_normal, node.liquid_normal)));
+    }
+  }
+  Box box;
+  for (const glm::dvec3& p : body.mesh.points) box.add(p);
+  return std::min(farthest, glm::length(planar(box.high - box.low)));
+}
+
 std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid) {
   double lowest = 0, highest = 0;
   for (const Node& node : line.nodes) {
@@ -211,7 +224,6 @@ std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid) {
     line.sweep = 0;
     return 0;
   }
-  line.sweep = raised_length(liquid);
   ContactLine upright = line;
   std::size_t pinned = bond_along(Spine(line, body, lowest, highest), line, body, liquid);
   if (const std::size_t disorder = count_disorder(line)) {  // no rod: a tilted ring, say, which curves away too much

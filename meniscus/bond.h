@@ -14,4 +14,7 @@ namespace meniscus {
 // along the line. Sets sweep to 0 where nothing rises. Returns how many nodes are pinned.
 std::size_t bond(ContactLine& line, const Body& body, const Liquid& liquid);
 
+// How far a contact line slides out over the level liquid, at most, on a solid as slanted as where they meet; metres.
+double run_out(const ContactLine& line, const Body& body, const Liquid& liquid);
+
 }  // namespace meniscus

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <set>
 
 namespace meniscus {
 
@@ -35,10 +36,10 @@ Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, St
       c.slant = std::acos(glm::clamp(glm::dot(s.node->contact.solid_normal, s.node->liquid_normal), -1.0, 1.0));
     } else {
       vertex.unknown = unknowns_++;
-      vertex.upright = s.border || s.original;
     }
   }
   link(context);
+  fence(context);
   for (const Vertex& vertex : vertices_) context.local[vertex.in_sheet] = kNoVertex;
 }
 
@@ -64,17 +65,45 @@ void Film::link(const FilmContext& context) {
       const ContactLine& line = context.lines[foot->line];
       const double free = foot->from->reach > 0 ? std::min(foot->from->reach, line.sweep) : line.sweep;
       // About as the surface itself answers: it rises as a whole between near walls, and falls off from lone ones.
-      const double left = std::max(free - foot->distance, 0.0);
-      const double weight = (s.other.exists() ? 0.5 : 1) * std::cosh(left / length_) / std::cosh(free / length_);
-      const auto follow = [&](std::size_t node, double w) {
+      const double left = std::max(free - foot->distance, 0.0), share = s.other.exists() ? 0.5 : 1;
+      const double upward = share * std::cosh(left / length_) / std::cosh(free / length_);
+      const double across = share * left / free;
+      const glm::dvec3 weight(across, upward, across);
+      const auto follow = [&](std::size_t node, const glm::dvec3& w) {
         const std::uint32_t c = contact_of(foot->line, node);
-        if (c != kNoVertex && w > 0) vertex.follows.push_back({c, w});
+        if (c != kNoVertex) vertex.follows.push_back({c, w});
       };
       const bool segment = foot->from != foot->to && foot->fan == 0;
       follow(foot->node, segment ? weight * (1 - foot->t) : weight);
       if (segment) follow((foot->node + 1) % line.nodes.size(), weight * foot->t);
     }
   }
+}
+
+// Sets in which planes the vertices on the liquid's own border stay.
+void Film::fence(const FilmContext& context) {
+  const auto on_border = [&](std::uint32_t v) {
+    const Sheet::Vertex& s = context.sheet.vertices[vertices_[v].in_sheet];
+    return s.border || s.original;
+  };
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;  // of triangles, along the border
+  for (const glm::uvec3& t : triangles_)
+    for (int k = 0; k < 3; ++k)
+      if (on_border(t[k]) && on_border(t[(k + 1) % 3])) sides.emplace(t[k], t[(k + 1) % 3]);
+  for (const auto& [a, b] : sides) {
+    if (sides.contains({b, a})) continue;
+    const glm::dvec3 way = vertices_[b].x - vertices_[a].x;
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(way.z, 0, -way.x));
+    for (const std::uint32_t v : {a, b}) vertices_[v].fences.push_back(normal);
+  }
+}
+
+// `way` in the planes of the fences; upright in a corner.
+glm::dvec3 Film::within(const std::vector<glm::dvec3>& fences, const glm::dvec3& way) {
+  constexpr double kCorner = 0.01;  // radians
+  if (fences.empty()) return way;
+  if (fences.size() > 1 && glm::length(glm::cross(fences[0], fences[1])) > kCorner) return {0, way.y, 0};
+  return way - glm::dot(way, fences[0]) * fences[0];
 }
 
 Film::Outcome Film::solve() {
@@ -138,7 +167,7 @@ Film::Outcome Film::settle() {
 void Film::rebase(double rail_length) {
   const std::vector<glm::dvec3> normals = facet_normals();
   for (std::size_t i = 0; i < vertices_.size(); ++i)
-    vertices_[i].way = vertices_[i].upright ? glm::dvec3(0, 1, 0) : normals[i];
+    vertices_[i].way = glm::normalize(within(vertices_[i].fences, normals[i]));
   for (ContactVertex& c : contacts_) {
     const glm::dvec3 level(0, c.node->position.y, 0);
     c.rail = find_rail(*c.body, *c.node, vertices_[c.vertex].x + level, rail_length);

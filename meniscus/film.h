@@ -59,12 +59,13 @@ class Film {
  private:
   struct Follow {
     std::uint32_t contact;
-    double weight;
+    glm::dvec3 weight;  // by component
   };
   struct Vertex {
     std::uint32_t in_sheet;
     glm::dvec3 x, way{0};
-    bool upright = false;  // on the liquid's own border: moves vertically
+    // Horizontal unit normals of the liquid's own border on either side of a vertex there, in whose planes it stays.
+    std::vector<glm::dvec3> fences{};
     std::uint32_t unknown = kNoVertex, contact = kNoVertex;
     std::vector<Follow> follows{};
   };
@@ -86,6 +87,8 @@ class Film {
   };
 
   void link(const FilmContext& context);
+  void fence(const FilmContext& context);
+  static glm::dvec3 within(const std::vector<glm::dvec3>& fences, const glm::dvec3& way);
   Outcome settle();
   std::vector<glm::dvec3> facet_normals() const;
   void rebase(double rail_length);

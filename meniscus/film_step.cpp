@@ -61,7 +61,7 @@ Eigen::VectorXd Film::newton_step() {
           entries.emplace_back(row, moved.unknown, glm::dot(change, moved.way));
           for (const Follow& follow : moved.follows) {
             const ContactVertex& c = contacts_[follow.contact];
-            entries.emplace_back(row, c.unknown, follow.weight * glm::dot(change, c.rail.way));
+            entries.emplace_back(row, c.unknown, glm::dot(change, follow.weight * c.rail.way));
           }
         }
       }

@@ -183,7 +183,9 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   Topology level = weld_liquid(liquid, surface, warnings);
   const std::vector<Body> bodies = weld_solids(solids, warnings);
   snap_border(level, surface, liquid.name, bodies, snap_tolerance(liquid, level, surface), warnings);
-  const double unit = sweep_length(liquid), reach = raised_length(liquid);
+  const bool solved = liquid.profile == Profile::solved;
+  const double unit = sweep_length(liquid);
+  double reach = raised_length(liquid);
 
   std::vector<Box> boxes;
   for (const std::uint32_t t : surface) boxes.push_back(level.box(t));
@@ -194,10 +196,12 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
     for (Contour& contour : find_contours(level, surface, tree, bodies, s, warnings)) {
       refuse_endless(contour, bodies[s].name, reach);
       lines.push_back(refine(contour, s, unit, {{}, find_fineness(contour, bodies[s].contact_angle, liquid)}));
-      lines.back().sweep = reach;
       contours.push_back(std::move(contour));
+      constexpr double kLeft = 5;  // capillary lengths beyond the contact line, however far it runs out
+      if (solved) reach = std::max(reach, run_out(lines.back(), bodies[s], liquid) + kLeft * liquid.capillary_length);
     }
   }
+  for (ContactLine& line : lines) line.sweep = reach;
   constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
   const Patch patch(level, surface, lines, kMargin * reach);
   const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, unit, reach, warnings);
@@ -207,7 +211,6 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
     lines[l].sweep = reach;
     measure_curvature(lines[l], kCurved * liquid.capillary_length);
   }
-  const bool solved = liquid.profile == Profile::solved;
   find_free_lengths(lines, solved ? unit / 16 : reach, reach);
   if (solved)
     for (ContactLine& line : lines) refine_in_gaps(line, reach);
