@@ -105,7 +105,7 @@ double depth_within(const Body& body, const glm::dvec3& p) {
     if (glm::dot(body.mesh.corner(t, 0) - p, n) * n.y > 0) winding += round;
   });
   if (winding == 0) return 0;
-  return glm::distance(p, nearest_on_solid(body, p));
+  return glm::distance(p, nearest_on_solid(body, p).position);
 }
 
 glm::dvec3 nearest_on_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p) {
@@ -121,15 +121,15 @@ glm::dvec3 nearest_on_triangle(const Topology& mesh, std::uint32_t t, const glm:
   return over ? p - glm::dot(p - mesh.corner(t, 0), n) / glm::dot(n, n) * n : best;
 }
 
-glm::dvec3 nearest_on_solid(const Body& body, const glm::dvec3& p) {
-  glm::dvec3 best = p;
+Hit nearest_on_solid(const Body& body, const glm::dvec3& p) {
+  std::pair<glm::dvec3, std::uint32_t> best{p, 0};
   double least = std::numeric_limits<double>::infinity();
   body.tree.nearest(p, least, [&](std::uint32_t t) {
     const glm::dvec3 q = nearest_on_triangle(body.mesh, t, p);
-    if (glm::distance(p, q) < least) least = glm::distance(p, q), best = q;
+    if (glm::distance(p, q) < least) least = glm::distance(p, q), best = {q, t};
     return least;
   });
-  return best;
+  return make_hit(body.mesh, best.second, best.first);
 }
 
 }  // namespace meniscus

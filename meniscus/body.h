@@ -42,6 +42,6 @@ double depth_within(const Body& body, const glm::dvec3& p);
 
 // The point of triangle t, and of the whole solid, that is nearest to p.
 glm::dvec3 nearest_on_triangle(const Topology& mesh, std::uint32_t t, const glm::dvec3& p);
-glm::dvec3 nearest_on_solid(const Body& body, const glm::dvec3& p);
+Hit nearest_on_solid(const Body& body, const glm::dvec3& p);
 
 }  // namespace meniscus

@@ -86,12 +86,12 @@ Solution equilibrate(Raised& raised, Sheet& sheet, std::vector<ContactLine>& lin
   std::set<std::size_t> failed;         // solids
   std::map<std::size_t, Share> pinned;  // by solid
   for (const std::vector<std::uint32_t>& part : find_parts(sheet, lines)) {
-    // Menisci that meet may rise far above where each would alone; on slanted solids what is raised is nearer.
-    Film film(context, part, Film::Start::raised);
-    if (film.upright()) film = Film(context, part, Film::Start::level);
+    // What is raised is near where it rests, but not where menisci meet, which may rise far above each alone; from the
+    // level the way is long where the solid is met at a grazing angle.
+    Film film(context, part, Film::Start::level);
     Film::Outcome outcome = film.solve();
     if (!outcome.converged) {
-      film = Film(context, part, film.upright() ? Film::Start::raised : Film::Start::level);
+      film = Film(context, part, Film::Start::raised);
       const int steps = outcome.steps;
       outcome = film.solve(), outcome.steps += steps;
     }

@@ -8,7 +8,7 @@
 namespace meniscus {
 
 Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, Start start)
-    : length_(context.capillary_length), start_(start) {
+    : length_(context.capillary_length) {
   const Sheet& sheet = context.sheet;
   for (const std::uint32_t t : triangles) {
     glm::uvec3& corners = triangles_.emplace_back();
@@ -33,7 +33,6 @@ Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, St
       c.vertex = i, c.unknown = unknowns_++, c.node = s.node;
       c.body = &context.bodies[context.lines[s.foot.line].solid];
       c.angle = c.body->contact_angle;
-      c.slant = std::acos(glm::clamp(glm::dot(s.node->contact.solid_normal, s.node->liquid_normal), -1.0, 1.0));
     } else {
       vertex.unknown = unknowns_++;
     }
@@ -106,65 +105,9 @@ glm::dvec3 Film::within(const std::vector<glm::dvec3>& fences, const glm::dvec3&
   return way - glm::dot(way, fences[0]) * fences[0];
 }
 
-Film::Outcome Film::solve() {
-  if (start_ == Start::raised) return settle();
-  constexpr double kLeast = 1.0 / 64;
-  Outcome outcome;
-  for (double reached = 0, part = 1; reached < 1;) {
-    const Film before = *this;
-    progress_ = std::min(reached + part, 1.0);
-    const int steps = outcome.steps;
-    outcome = settle();
-    outcome.steps += steps;
-    if (outcome.converged) {
-      reached = progress_, part *= 2;
-      continue;
-    }
-    *this = before, part /= 2;
-    if (part < kLeast) return outcome;
-  }
-  return outcome;
-}
-
-bool Film::upright() const {
-  constexpr double kUpright = 0.1;  // radians
-  return std::all_of(contacts_.begin(), contacts_.end(),
-                     [](const ContactVertex& c) { return std::abs(c.slant - glm::half_pi<double>()) < kUpright; });
-}
-
-Film::Outcome Film::settle() {
-  constexpr int kRounds = 20, kSteps = 40;
-  constexpr double kRail = 0.3, kLong = 0.5;          // capillary lengths
-  constexpr double kFacets = 2e-3;                    // what facets' edges may move it by, to and fro
-  constexpr double kLeastPart = 0.02;                 // smaller ones are at the end of what a round can do
-  constexpr double kPrecise = 1e-7, kSettled = 1e-4;  // of a step; of a round's first
-  Outcome outcome;
-  double before = 1;
-  for (int round = 0; round < kRounds && !outcome.converged; ++round) {
-    rebase(kRail * length_);
-    double moved = 0;
-    bool settled = false;
-    for (int k = 0; k < kSteps && moved < kLong; ++k) {
-      const Eigen::VectorXd step = newton_step();
-      ++outcome.steps;
-      if (!step.allFinite()) return outcome;
-      outcome.last_step = step.lpNorm<Eigen::Infinity>();
-      const double part = advance(step), full = outcome.last_step / length_;
-      if (part == 0 && moved == 0) return outcome;
-      moved += part * full;
-      if (part < kLeastPart) break;
-      if (part < 1 || full > kPrecise) continue;  // damped steps are small where nothing has converged
-      settled = true;
-      break;
-    }
-    outcome.converged = settled && (moved < kSettled || (moved < kFacets && moved > 0.5 * before));
-    before = moved;
-  }
-  return outcome;
-}
-
 // Makes where the film is what displacements count from.
 void Film::rebase(double rail_length) {
+  constexpr double kRoom = 1e-3;  // capillary lengths: so near its end a rail has none left
   const std::vector<glm::dvec3> normals = facet_normals();
   for (std::size_t i = 0; i < vertices_.size(); ++i)
     vertices_[i].way = glm::normalize(within(vertices_[i].fences, normals[i]));
@@ -173,7 +116,9 @@ void Film::rebase(double rail_length) {
     c.rail = find_rail(*c.body, *c.node, vertices_[c.vertex].x + level, rail_length);
     c.rail.start -= level;
     c.slide = 0;
-    if (!c.pinned()) c.held = 0;
+    if (c.held > 0 ? !c.rail.ends_high || c.rail.high > kRoom * length_
+                   : !c.rail.ends_low || c.rail.low < -kRoom * length_)
+      c.held = 0;
   }
   for (Vertex& vertex : vertices_)
     for (const Follow& follow : vertex.follows) {
@@ -188,44 +133,52 @@ void Film::rebase(double rail_length) {
   }
 }
 
-// Goes as large a part of the step as turns no facet too far, and returns it; 0 where there is none.
-double Film::advance(const Eigen::VectorXd& step) {
-  constexpr double kTurn = 0.3, kLeast = 1e-3;  // cosine; part
-  std::vector<glm::dvec3> was;
-  for (const Vertex& vertex : vertices_) was.push_back(vertex.x);
-  const std::vector<ContactVertex> were = contacts_;
-  double whole = 1;  // no farther on any rail than it is known; where the solid itself ends, the line stays behind
+Film::State Film::save() const {
+  State state{{}, contacts_};
+  for (const Vertex& vertex : vertices_) state.x.push_back(vertex.x);
+  return state;
+}
+
+void Film::restore(const State& state) {
+  for (std::size_t i = 0; i < vertices_.size(); ++i) vertices_[i].x = state.x[i];
+  contacts_ = state.contacts;
+}
+
+// How much of the step, at most, keeps every contact where its rail is known; where the solid itself ends, the line
+// stays behind.
+double Film::railed(const Eigen::VectorXd& step) const {
+  double whole = 1;
   for (const ContactVertex& c : contacts_) {
     const double by = step[c.unknown];
     const bool up = by > 0;
     if (!(up ? c.rail.ends_high : c.rail.ends_low) && by != 0)
       whole = std::min(whole, ((up ? c.rail.high : c.rail.low) - c.slide) / by);
   }
-  for (double part = whole; part > kLeast * whole; part *= 0.5) {
-    for (ContactVertex& c : contacts_) {
-      const double wanted = c.slide + part * step[c.unknown];
-      c.slide = std::clamp(wanted, c.rail.low, c.rail.high);
-      if (c.slide != wanted) c.held = wanted > c.slide ? 1 : -1;
-      vertices_[c.vertex].x = c.rail.at(c.slide);
-    }
-    for (Vertex& vertex : vertices_) {
-      if (vertex.unknown == kNoVertex) continue;
-      vertex.x += part * step[vertex.unknown] * vertex.way;
-      for (const Follow& follow : vertex.follows) {
-        const ContactVertex& c = contacts_[follow.contact];
-        vertex.x += follow.weight * (c.slide - were[follow.contact].slide) * c.rail.way;
-      }
-    }
-    const bool sound = std::all_of(triangles_.begin(), triangles_.end(), [&](const glm::uvec3& t) {
-      const glm::dvec3 a = glm::cross(was[t.y] - was[t.x], was[t.z] - was[t.x]);
-      const glm::dvec3 p = vertices_[t.x].x, b = glm::cross(vertices_[t.y].x - p, vertices_[t.z].x - p);
-      return glm::dot(a, b) > kTurn * glm::length(a) * glm::length(b);
-    });
-    if (sound) return part;
-    for (std::size_t i = 0; i < was.size(); ++i) vertices_[i].x = was[i];
-    contacts_ = were;
+  return whole;
+}
+
+// Goes this step; false where a facet turns too far.
+bool Film::advance(const Eigen::VectorXd& step, const State& before) {
+  constexpr double kTurn = 0.3;  // cosine
+  for (ContactVertex& c : contacts_) {
+    const double wanted = c.slide + step[c.unknown];
+    c.slide = std::clamp(wanted, c.rail.low, c.rail.high);
+    if (c.slide != wanted) c.held = wanted > c.slide ? 1 : -1;
+    vertices_[c.vertex].x = c.rail.at(c.slide);
   }
-  return 0;
+  for (Vertex& vertex : vertices_) {
+    if (vertex.unknown == kNoVertex) continue;
+    vertex.x += step[vertex.unknown] * vertex.way;
+    for (const Follow& follow : vertex.follows) {
+      const ContactVertex& c = contacts_[follow.contact];
+      vertex.x += follow.weight * (c.slide - before.contacts[follow.contact].slide) * c.rail.way;
+    }
+  }
+  return std::all_of(triangles_.begin(), triangles_.end(), [&](const glm::uvec3& t) {
+    const glm::dvec3 a = glm::cross(before.x[t.y] - before.x[t.x], before.x[t.z] - before.x[t.x]);
+    const glm::dvec3 p = vertices_[t.x].x, b = glm::cross(vertices_[t.y].x - p, vertices_[t.z].x - p);
+    return glm::dot(a, b) > kTurn * glm::length(a) * glm::length(b);
+  });
 }
 
 }  // namespace meniscus

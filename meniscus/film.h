@@ -37,10 +37,7 @@ class Film {
     int steps = 0;
     double last_step = 0;  // metres: the last full Newton step
   };
-  bool upright() const;  // do all solids stand upright, or as good as?
 
-  // From the start; from the level, where the surface rests if contact angles are the solids' slants, in as many steps
-  // from these angles to the given ones as it takes.
   Outcome solve();
 
   struct Point {
@@ -75,7 +72,7 @@ class Film {
     const Body* body;
     std::uint32_t before = kNoVertex, next = kNoVertex;  // contacts
     Rail rail{};
-    double angle, slant;  // contact angle; that at which the surface is level
+    double angle;  // contact angle
     double slide = 0;
     int held = 0;  // at an end of its rail: -1 low, 1 high
     bool pinned() const { return held > 0 ? rail.ends_high : held < 0 && rail.ends_low; }
@@ -83,27 +80,43 @@ class Film {
 
   struct FirstFacet {
     double force = 0, by_weight = 0;  // on the contact vertex, along its rail; its change with the facet's weight
-    glm::dvec3 by_normal{0};          // and with the facet's normal
+    glm::dvec3 by_normal{0};          // with the facet's normal
+    double by_slide = 0;              // and as the rail turns
+  };
+
+  struct State {
+    std::vector<glm::dvec3> x;
+    std::vector<ContactVertex> contacts;
+  };
+  struct Equations {
+    Eigen::VectorXd force;  // on each unknown
+    std::vector<Eigen::Triplet<double>> entries;
+  };
+
+  struct Progress {
+    double moved = 0, last_step = 0;  // metres: in all; the last whole step
+    bool settled = false;             // was it as good as none?
+    bool railed = false;              // did it end where the rails are no longer known?
   };
 
   void link(const FilmContext& context);
   void fence(const FilmContext& context);
   static glm::dvec3 within(const std::vector<glm::dvec3>& fences, const glm::dvec3& way);
-  Outcome settle();
   std::vector<glm::dvec3> facet_normals() const;
   void rebase(double rail_length);
   FirstFacet first_facet(const ContactVertex& c, const FacetForces& f, const glm::dvec3 p[3], int i,
                          const glm::uvec3& t) const;
-  Eigen::VectorXd newton_step();
-  void add_wetting(Eigen::VectorXd& force, std::vector<Eigen::Triplet<double>>& entries) const;
-  double advance(const Eigen::VectorXd& step);
+  Equations equations() const;
+  void add_wetting(Equations& result) const;
+  std::vector<bool> hold(Eigen::VectorXd& force);
+  Progress go_on(double most);
+  State save() const;
+  void restore(const State& state);
+  double railed(const Eigen::VectorXd& step) const;
+  bool advance(const Eigen::VectorXd& step, const State& before);
   std::vector<glm::dvec3> normals() const;
 
-  double angle_at(const ContactVertex& c) const { return c.slant + progress_ * (c.angle - c.slant); }
-
   double length_;
-  Start start_;
-  double progress_ = 1;  // from slants to contact angles
   std::uint32_t unknowns_ = 0;
   std::vector<Vertex> vertices_;
   std::vector<ContactVertex> contacts_;

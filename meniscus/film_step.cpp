@@ -1,5 +1,4 @@
-// The equations of a film and one step of Newton's method towards their solution.
-#include <Eigen/SparseLU>
+// The equations of a film: the forces on its unknowns and their derivatives.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +12,7 @@ namespace meniscus {
 // much as the first facet turns.
 Film::FirstFacet Film::first_facet(const ContactVertex& c, const FacetForces& f, const glm::dvec3 p[3], int i,
                                    const glm::uvec3& t) const {
-  const double angle = angle_at(c);
+  const double angle = c.angle;
   const glm::dvec3 along = c.rail.way_at(c.slide);
   const glm::dvec3 solid = glm::normalize(c.rail.before_at(c.slide) + c.rail.after_at(c.slide));
   const double rise = glm::dot(f.normal, along), out = glm::dot(f.normal, solid);
@@ -27,12 +26,13 @@ Film::FirstFacet Film::first_facet(const ContactVertex& c, const FacetForces& f,
   const double narrowing = c.node->contact.curvature * out * reach / 4 * pull;  // per angle turned
   const double missing = 0.5 * (std::sin(angle) - rise);
   return {f.weight[i] * missing - narrowing * (std::atan2(rise, out) - angle), missing,
-          -narrowing * (out * along - rise * solid) - 0.5 * f.weight[i] * along};
+          -narrowing * (out * along - rise * solid) - 0.5 * f.weight[i] * along,
+          c.rail.curvature * (narrowing * (out * out + rise * rise) + 0.5 * f.weight[i] * out)};
 }
 
-Eigen::VectorXd Film::newton_step() {
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(unknowns_);
+Film::Equations Film::equations() const {
+  Equations result{Eigen::VectorXd::Zero(unknowns_), {}};
+  auto& [force, entries] = result;
   for (std::size_t k = 0; k < triangles_.size(); ++k) {
     const glm::uvec3& t = triangles_[k];
     const glm::dvec3 p[3] = {vertices_[t.x].x, vertices_[t.y].x, vertices_[t.z].x};
@@ -48,7 +48,8 @@ Eigen::VectorXd Film::newton_step() {
       if (contact) {
         first = first_facet(*contact, f, p, i, t);
         force[row] += first.force;
-        entries.emplace_back(row, row, -contact->rail.curvature * glm::dot(contact->rail.mean(), f.on[i]));
+        entries.emplace_back(row, row,
+                             first.by_slide - contact->rail.curvature * glm::dot(contact->rail.mean(), f.on[i]));
       }
       for (int j = 0; j < 3; ++j) {
         const glm::dvec3 change =
@@ -67,24 +68,13 @@ Eigen::VectorXd Film::newton_step() {
       }
     }
   }
-  add_wetting(force, entries);
-  std::vector<bool> fixed(unknowns_, false);
-  for (ContactVertex& c : contacts_) {  // held at an end of the rail as long as it is pushed outward
-    if (c.held * force[c.unknown] > 0) c.held = 0;
-    if (c.held != 0) fixed[c.unknown] = true, force[c.unknown] = 0;
-  }
-  std::erase_if(entries, [&](const auto& e) { return fixed[e.row()] || fixed[e.col()]; });
-  for (std::uint32_t u = 0; u < unknowns_; ++u)
-    if (fixed[u]) entries.emplace_back(u, u, 1.0);
-  Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors(matrix);
-  if (factors.info() != Eigen::Success) return Eigen::VectorXd::Constant(unknowns_, std::nan(""));
-  return factors.solve(-force);
+  add_wetting(result);
+  return result;
 }
 
 // The solid's pull: as the contact line moves up, it wets half of the strip beside each of its edges.
-void Film::add_wetting(Eigen::VectorXd& force, std::vector<Eigen::Triplet<double>>& entries) const {
+void Film::add_wetting(Equations& result) const {
+  auto& [force, entries] = result;
   for (const ContactVertex& c : contacts_) {
     if (c.next == kNoVertex) continue;
     const ContactVertex& d = contacts_[c.next];
@@ -94,7 +84,7 @@ void Film::add_wetting(Eigen::VectorXd& force, std::vector<Eigen::Triplet<double
     // Smooth normals of a faceted solid lean along its facets: what is wetted is as wide as the edge is long.
     glm::dvec3 sum = c.rail.after_at(c.slide) + d.rail.before_at(d.slide);
     sum -= glm::dot(sum, edge) / glm::dot(edge, edge) * edge;
-    const double size = glm::length(sum), pull = -0.5 * std::cos(angle_at(c));
+    const double size = glm::length(sum), pull = -0.5 * std::cos(c.angle);
     const glm::dvec3 normal = sum / size;  // to the left of the edge, where the liquid is
     for (int i = 0; i < 2; ++i) {
       force[ends[i]->unknown] += pull * glm::dot(normal, glm::cross(ways[i], edge));

@@ -23,14 +23,14 @@ Rail find_rail(const Body& body, const Node& node, const glm::dvec3& p, double l
   const glm::dvec3 up(0, 1, 0), out = lifted(node.contact.direction, 0);
   Rail rail{p, {}, node.before.solid_normal, node.after.solid_normal};
   if (node.joint) {
-    rail.start = nearest_on_solid(body, p);
+    rail.start = nearest_on_solid(body, p).position;
     rail.way = glm::cross(rail.before, rail.after);
     if (rail.way.y < 0) rail.way = -rail.way;
     rail.way = glm::normalize(rail.way);
   } else {
-    if (const std::optional<Hit> hit = beside(body, p, node.contact.solid_normal, length)) {
-      rail.start = hit->smooth, rail.bulge = hit->smooth - hit->position, rail.before = rail.after = hit->normal;
-    }
+    // Where the contact has gone far, the solid may face another way there than at the node.
+    const Hit hit = beside(body, p, node.contact.solid_normal, length).value_or(nearest_on_solid(body, p));
+    rail.start = hit.smooth, rail.bulge = hit.smooth - hit.position, rail.before = rail.after = hit.normal;
     const glm::dvec3 n = rail.before;
     const glm::dvec3 along = glm::dot(n, out) * up - glm::dot(n, up) * out;
     rail.way = glm::normalize(along - glm::dot(along, n) * n);
@@ -40,7 +40,7 @@ Rail find_rail(const Body& body, const Node& node, const glm::dvec3& p, double l
     return beside(body, rail.start + slide * rail.way, n, 0.5 * std::abs(slide) + 1e-3 * length);
   };
   const auto holds = [&](double slide) {
-    return node.joint ? glm::distance(nearest_on_solid(body, rail.start + slide * rail.way),
+    return node.joint ? glm::distance(nearest_on_solid(body, rail.start + slide * rail.way).position,
                                       rail.start + slide * rail.way) < 0.05 * std::abs(slide)
                       : solid_at(slide).has_value();
   };

@@ -204,7 +204,7 @@ Raised raise(const Topology& liquid, const std::vector<std::uint32_t>& surface, 
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {  // where lines cross there is no node to be bonded
     const Sheet::Vertex& vertex = sheet.vertices[i];
     if (parameters.flatten || !raised.used[i] || !vertex.crossing || !vertex.foot.exists()) continue;
-    raised.at[i].position = nearest_on_solid(bodies[lines[vertex.foot.line].solid], raised.at[i].position);
+    raised.at[i].position = nearest_on_solid(bodies[lines[vertex.foot.line].solid], raised.at[i].position).position;
   }
   std::map<std::size_t, Share> shares;  // by solid
   for (std::size_t l = 0; l < lines.size(); ++l) {
