@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <map>
 #include <set>
 
 namespace meniscus {
@@ -36,6 +37,14 @@ Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, St
     } else {
       vertex.unknown = unknowns_++;
     }
+  }
+  std::map<std::uint32_t, std::uint32_t> block_of;  // line
+  blocks_.resize(unknowns_);
+  for (const Vertex& vertex : vertices_) {
+    const std::uint32_t u = vertex.contact == kNoVertex ? vertex.unknown : contacts_[vertex.contact].unknown;
+    if (u == kNoVertex) continue;
+    const auto line = static_cast<std::uint32_t>(sheet.vertices[vertex.in_sheet].foot.line);
+    blocks_[u] = block_of.try_emplace(line, static_cast<std::uint32_t>(block_of.size())).first->second;
   }
   link(context);
   fence(context);

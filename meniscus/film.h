@@ -11,6 +11,8 @@ namespace meniscus {
 
 constexpr std::uint32_t kNoVertex = 0xffffffff;
 
+class LinearSystem;
+
 // What all films of a sheet share.
 struct FilmContext {
   const Sheet& sheet;
@@ -109,7 +111,7 @@ class Film {
   Equations equations() const;
   void add_wetting(Equations& result) const;
   std::vector<bool> hold(Eigen::VectorXd& force);
-  Progress go_on(double most);
+  Progress go_on(LinearSystem& system, double most);
   State save() const;
   void restore(const State& state);
   double railed(const Eigen::VectorXd& step) const;
@@ -118,6 +120,7 @@ class Film {
 
   double length_;
   std::uint32_t unknowns_ = 0;
+  std::vector<std::uint32_t> blocks_;  // of the unknowns: by contact line
   std::vector<Vertex> vertices_;
   std::vector<ContactVertex> contacts_;
   std::vector<glm::uvec3> triangles_;

@@ -1,14 +1,8 @@
 // Newton's method on a film's equations.
-#include <Eigen/SparseLU>
-
 #include "meniscus/film.h"
+#include "meniscus/linear_system.h"
 
 namespace meniscus {
-namespace {
-
-using Factors = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>;
-
-}  // namespace
 
 // A contact vertex at an end of its rail is held there as long as it is pushed outward: it has no equation then.
 std::vector<bool> Film::hold(Eigen::VectorXd& force) {
@@ -20,8 +14,8 @@ std::vector<bool> Film::hold(Eigen::VectorXd& force) {
   return held;
 }
 
-// One factorization and as many steps as it is good for; ends at once where no part of a step is one ahead.
-Film::Progress Film::go_on(double most) {
+// One matrix and as many steps as it is good for; ends at once where no part of a step is one ahead.
+Film::Progress Film::go_on(LinearSystem& system, double most) {
   constexpr double kLeastPart = 0.1, kReuse = 0.1;
   constexpr double kPrecise = 1e-7;  // capillary lengths
   Progress result;
@@ -30,11 +24,10 @@ Film::Progress Film::go_on(double most) {
   std::erase_if(entries, [&](const auto& e) { return held[e.row()] || held[e.col()]; });
   for (std::uint32_t u = 0; u < unknowns_; ++u)
     if (held[u]) entries.emplace_back(u, u, 1.0);
-  Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
+  LinearSystem::Matrix matrix(unknowns_, unknowns_);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Factors factors(matrix);
-  if (factors.info() != Eigen::Success) return result;
-  Eigen::VectorXd step = factors.solve(-force);
+  system.set(std::move(matrix));
+  Eigen::VectorXd step = system.solve(-force);
   for (bool good = step.allFinite(); good;) {
     result.last_step = step.lpNorm<Eigen::Infinity>();
     const State from = save();
@@ -47,7 +40,7 @@ Film::Progress Film::go_on(double most) {
       if (advance(part * step, from)) {
         force = equations().force;
         same = hold(force) == held;
-        next = factors.solve(-force);
+        next = system.solve(-force);
         contraction = next.norm() / step.norm();
       }
       if (!(contraction < 1 - part / 4)) {
@@ -71,6 +64,7 @@ Film::Outcome Film::solve() {
   constexpr double kFacets = 2e-3;            // what facets' edges may move it by, to and fro
   constexpr double kSettled = 1e-4;           // of a round
   Outcome outcome;
+  LinearSystem system(blocks_);
   double before = 1;
   for (int round = 0; round < kRounds && !outcome.converged; ++round) {
     rebase(kRail * length_);
@@ -78,7 +72,7 @@ Film::Outcome Film::solve() {
     double moved = 0;
     while (!now.settled && !now.railed && moved < kLong) {
       if (outcome.steps++ == kMostSteps) return outcome;
-      now = go_on((kLong - moved) * length_);
+      now = go_on(system, (kLong - moved) * length_);
       if (now.moved == 0) return outcome;
       moved += now.moved / length_, outcome.last_step = now.last_step;
     }

@@ -13,9 +13,9 @@
 namespace meniscus {
 namespace {
 
-constexpr double kGrowth = 0.2;         // of the distance between columns, per distance along the line
-constexpr double kMostTriangles = 2e6;  // of all contours together
-constexpr double kWithinPatch = 1.04;   // sweep lengths: the patch reaches a little farther
+constexpr double kGrowth = 0.2;  // of the distance between columns, per distance along the line
+constexpr double kMostTriangles = 2e6, kMostSolved = 8e5;  // of all contours together
+constexpr double kWithinPatch = 1.04;                      // sweep lengths: the patch reaches a little farther
 constexpr double kUnset = 1e300;
 
 // How far the column at this node reaches, up to `sweep`, before another foot is nearer; 0 where the liquid ends first.
@@ -44,13 +44,15 @@ void grade(std::vector<Size>& sizes, double length, bool closed) {
 std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
                                          const Patch& patch, double sweep_length, double reach, Warnings& warnings) {
   const Field field(lines);
+  const bool solved = !lines.empty() && lines.front().profile == Profile::solved;
   std::vector<Resolution> result;
   double triangles = 0, whole = 0;  // length, metres
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const ContactLine& line = lines[l];
     const std::size_t n = line.nodes.size();
     const double fine = kFineColumn * line.fineness.coarseness() * sweep_length;
-    const double wide = kAspect * line.fineness.spacing(0) * (line.profile == Profile::solved ? reach : sweep_length);
+    const double unit = solved ? reach : sweep_length;  // of the fineness
+    const double wide = kAspect * line.fineness.spacing(0) * unit;
     Resolution resolution{{}, line.fineness};
     std::vector<double> free;
     for (const Node& node : line.nodes) {
@@ -76,13 +78,14 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
       const double step = glm::distance(line.nodes[i].position, line.next(i).position);
       const double extent = free[i] > 0 ? free[i] : reach;
       constexpr double kAround = 1.4;  // triangles in and round the band, for each of the band's own
-      triangles += kAround * 2 * step / resolution.sizes[i].size * extent / (line.fineness.layer * sweep_length);
+      triangles += kAround * 2 * step / resolution.sizes[i].size * line.fineness.layers(extent / unit);
     }
     whole += length;
     result.push_back(std::move(resolution));
   }
-  if (triangles <= kMostTriangles) return result;
-  const double coarseness = std::sqrt(triangles / kMostTriangles);
+  const double most_triangles = solved ? kMostSolved : kMostTriangles;
+  if (triangles <= most_triangles) return result;
+  const double coarseness = std::sqrt(triangles / most_triangles);
   bool within = true;
   Error most;
   for (Resolution& resolution : result) {
@@ -100,9 +103,9 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
   else
     message << ": its contour";
   message << " of " << std::setprecision(3) << whole << " m " << (lines.size() > 1 ? "are" : "is")
-          << " too long for the tolerance of the menisci: to stay below two million triangles they are off by up to "
-          << 1e6 * most.height << " um and " << glm::degrees(most.normal) << " degrees, " << coarseness * coarseness
-          << " times as much as usual";
+          << " too long for the tolerance of the menisci: to stay below " << most_triangles
+          << " triangles they are off by up to " << 1e6 * most.height << " um and " << glm::degrees(most.normal)
+          << " degrees, " << coarseness * coarseness << " times as much as usual";
   std::vector<std::size_t> solids;
   for (const ContactLine& line : lines) solids.push_back(line.solid);
   warnings.push_back({message.str(), std::move(solids)});

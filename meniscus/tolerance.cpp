@@ -39,6 +39,12 @@ double Fineness::spacing(double d) const {
   return std::max(std::min(bent, even), layer * (kFinestLayer / kWidestLayer));
 }
 
+double Fineness::layers(double d) const {
+  if (profile != Profile::solved) return d / layer;
+  const double graded = std::clamp((layer - first) / growth, 0.0, d);
+  return std::log1p(growth * graded / first) / growth + (d - graded) / layer;
+}
+
 double Fineness::turn_at(double radius) const {
   return std::min(turn, std::sqrt(8 * std::min(height.at(radius), normal.at(radius))));
 }
@@ -46,7 +52,7 @@ double Fineness::turn_at(double radius) const {
 Fineness Fineness::coarser(double factor) const {
   Fineness result = *this;
   const double square = factor * factor;
-  result.layer *= factor, result.turn *= factor;
+  result.layer *= factor, result.turn *= factor, result.first *= factor, result.growth *= factor;
   result.layer_normal *= square, result.error.height *= square, result.error.normal *= square;
   for (Bound* bound : {&result.height, &result.normal}) bound->inverse /= square, bound->per_metre /= square;
   return result;

@@ -46,6 +46,8 @@ struct Fineness {
   double coarseness() const { return layer / (profile == Profile::solved ? kWidestSolved : kWidestLayer); }
   // Distance between layers at d = distance / sweep length from the wall, in sweep lengths.
   double spacing(double d) const;
+  // How many layers there are up to that distance, about.
+  double layers(double d) const;
   // Largest turn between columns where the contact line has this radius, metres; 0 in a fan.
   double turn_at(double radius) const;
   Fineness coarser(double factor) const;
