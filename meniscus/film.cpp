@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <map>
 #include <set>
+
+#include "meniscus/predicates.h"
+#include "meniscus/spine.h"
 
 namespace meniscus {
 
@@ -33,6 +35,7 @@ Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, St
       ContactVertex& c = contacts_.emplace_back();
       c.vertex = i, c.unknown = unknowns_++, c.node = s.node;
       c.body = &context.bodies[context.lines[s.foot.line].solid];
+      c.rail.before = s.node->before.solid_normal, c.rail.after = s.node->after.solid_normal;
       c.angle = c.body->contact_angle;
     } else {
       vertex.unknown = unknowns_++;
@@ -114,15 +117,31 @@ glm::dvec3 Film::within(const std::vector<glm::dvec3>& fences, const glm::dvec3&
   return way - glm::dot(way, fences[0]) * fences[0];
 }
 
+// The ways in which solids go on as wholes, by contact line.
+std::vector<glm::dvec3> Film::find_axes() const {
+  std::vector<std::vector<Strip>> strips(1 + *std::max_element(blocks_.begin(), blocks_.end()));
+  for (const ContactVertex& c : contacts_) {
+    if (c.next == kNoVertex) continue;
+    const ContactVertex& d = contacts_[c.next];
+    const double length = glm::distance(vertices_[c.vertex].x, vertices_[d.vertex].x);
+    for (const glm::dvec3& normal : {c.rail.after, d.rail.before})
+      strips[blocks_[c.unknown]].push_back({length, normal});
+  }
+  std::vector<glm::dvec3> axes;
+  for (const std::vector<Strip>& line : strips) axes.push_back(glm::normalize(lifted(find_lean(line), 1)));
+  return axes;
+}
+
 // Makes where the film is what displacements count from.
 void Film::rebase(double rail_length) {
   constexpr double kRoom = 1e-3;  // capillary lengths: so near its end a rail has none left
   const std::vector<glm::dvec3> normals = facet_normals();
   for (std::size_t i = 0; i < vertices_.size(); ++i)
     vertices_[i].way = glm::normalize(within(vertices_[i].fences, normals[i]));
+  const std::vector<glm::dvec3> axes = find_axes();
   for (ContactVertex& c : contacts_) {
     const glm::dvec3 level(0, c.node->position.y, 0);
-    c.rail = find_rail(*c.body, *c.node, vertices_[c.vertex].x + level, rail_length);
+    c.rail = find_rail(*c.body, *c.node, vertices_[c.vertex].x + level, axes[blocks_[c.unknown]], rail_length);
     c.rail.start -= level;
     c.slide = 0;
     if (c.held > 0 ? !c.rail.ends_high || c.rail.high > kRoom * length_

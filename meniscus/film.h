@@ -95,23 +95,25 @@ class Film {
     std::vector<Eigen::Triplet<double>> entries;
   };
 
-  struct Progress {
+  struct Round {                      // with the same rails
     double moved = 0, last_step = 0;  // metres: in all; the last whole step
     bool settled = false;             // was it as good as none?
     bool railed = false;              // did it end where the rails are no longer known?
+    bool goes_on(double capillary_length) const { return !settled && !railed && moved < 0.5 * capillary_length; }
   };
 
   void link(const FilmContext& context);
   void fence(const FilmContext& context);
   static glm::dvec3 within(const std::vector<glm::dvec3>& fences, const glm::dvec3& way);
   std::vector<glm::dvec3> facet_normals() const;
+  std::vector<glm::dvec3> find_axes() const;
   void rebase(double rail_length);
   FirstFacet first_facet(const ContactVertex& c, const FacetForces& f, const glm::dvec3 p[3], int i,
                          const glm::uvec3& t) const;
   Equations equations() const;
   void add_wetting(Equations& result) const;
   std::vector<bool> hold(Eigen::VectorXd& force);
-  Progress go_on(LinearSystem& system, double most);
+  bool go_on(LinearSystem& system, Round& round);
   State save() const;
   void restore(const State& state);
   double railed(const Eigen::VectorXd& step) const;

@@ -14,11 +14,11 @@ std::vector<bool> Film::hold(Eigen::VectorXd& force) {
   return held;
 }
 
-// One matrix and as many steps as it is good for; ends at once where no part of a step is one ahead.
-Film::Progress Film::go_on(LinearSystem& system, double most) {
-  constexpr double kLeastPart = 0.1, kReuse = 0.1;
-  constexpr double kPrecise = 1e-7;  // capillary lengths
-  Progress result;
+// One matrix and as many steps as it is good for. Returns whether there was one: no step may be too long by far.
+bool Film::go_on(LinearSystem& system, Round& round) {
+  constexpr double kLeastPart = 0.1, kReuse = 0.3;
+  constexpr double kPrecise = 1e-7, kShare = 1e-3;  // of a step: capillary lengths, part of what the round moved
+  bool any = false;
   auto [force, entries] = equations();
   const std::vector<bool> held = hold(force);
   std::erase_if(entries, [&](const auto& e) { return held[e.row()] || held[e.col()]; });
@@ -29,7 +29,7 @@ Film::Progress Film::go_on(LinearSystem& system, double most) {
   system.set(std::move(matrix));
   Eigen::VectorXd step = system.solve(-force);
   for (bool good = step.allFinite(); good;) {
-    result.last_step = step.lpNorm<Eigen::Infinity>();
+    round.last_step = step.lpNorm<Eigen::Infinity>();
     const State from = save();
     const double whole = railed(step);
     good = false;
@@ -47,35 +47,33 @@ Film::Progress Film::go_on(LinearSystem& system, double most) {
         restore(from);
         continue;
       }
-      result.moved += part * result.last_step;
-      result.railed = whole < 1;
-      result.settled = part == 1 && result.last_step <= kPrecise * length_;
-      good = !result.settled && part == 1 && same && contraction < kReuse && result.moved < most;
+      any = true;
+      round.moved += part * round.last_step;
+      round.railed = whole < 1;
+      round.settled = part == 1 && round.last_step <= std::max(kPrecise * length_, kShare * round.moved);
+      good = round.goes_on(length_) && part == 1 && same && contraction < kReuse;
       step = next;
       break;
     }
   }
-  return result;
+  return any;
 }
 
 Film::Outcome Film::solve() {
   constexpr int kRounds = 40, kMostSteps = 200;
-  constexpr double kRail = 0.3, kLong = 0.5;  // capillary lengths
-  constexpr double kFacets = 2e-3;            // what facets' edges may move it by, to and fro
-  constexpr double kSettled = 1e-4;           // of a round
+  // Capillary lengths: of rails; that a last round may move it by; and facets' edges, to and fro.
+  constexpr double kRail = 0.3, kSettled = 1e-4, kFacets = 2e-3;
   Outcome outcome;
   LinearSystem system(blocks_);
   double before = 1;
   for (int round = 0; round < kRounds && !outcome.converged; ++round) {
     rebase(kRail * length_);
-    Progress now;
-    double moved = 0;
-    while (!now.settled && !now.railed && moved < kLong) {
-      if (outcome.steps++ == kMostSteps) return outcome;
-      now = go_on(system, (kLong - moved) * length_);
-      if (now.moved == 0) return outcome;
-      moved += now.moved / length_, outcome.last_step = now.last_step;
+    Round now;
+    while (now.goes_on(length_)) {
+      if (outcome.steps++ == kMostSteps || !go_on(system, now)) return outcome;
+      outcome.last_step = now.last_step;
     }
+    const double moved = now.moved / length_;
     outcome.converged = now.settled && (moved < kSettled || (moved < kFacets && moved > 0.5 * before));
     before = moved;
   }

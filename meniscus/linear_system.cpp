@@ -25,7 +25,11 @@ LinearSystem::LinearSystem(const std::vector<std::uint32_t>& blocks) {
   for (std::size_t u = 0; u < blocks.size(); ++u) blocks_[whole ? 0 : blocks[u]].own.push_back(static_cast<int>(u));
 }
 
-void LinearSystem::set(Matrix matrix) { matrix_ = std::move(matrix); }
+void LinearSystem::set(Matrix matrix) {
+  constexpr long kMore = 3;  // iterations: then new factors take less time
+  matrix_ = std::move(matrix);
+  if (last_ > first_ + kMore) factored_ = false;
+}
 
 void LinearSystem::factor() {
   constexpr int kAround = 3;  // neighbours of neighbours of neighbours
@@ -78,6 +82,8 @@ Eigen::VectorXd LinearSystem::solve(const Eigen::VectorXd& right) {
   iteration.setMaxIterations(old ? kOld : kMost);
   iteration.compute(matrix_);
   const Eigen::VectorXd result = iteration.solve(right);
+  (old ? last_ : first_) = iteration.iterations();
+  if (!old) last_ = first_;
   if (iteration.info() == Eigen::Success && result.allFinite()) return result;
   if (!old) return Eigen::VectorXd::Constant(right.size(), std::numeric_limits<double>::quiet_NaN());
   factored_ = false;

@@ -37,6 +37,7 @@ class LinearSystem {
   Matrix matrix_;
   std::vector<Block> blocks_;
   bool factored_ = false;
+  long first_ = 0, last_ = 0;  // iterations with these factors, for their own matrix and at last
 };
 
 }  // namespace meniscus

@@ -19,8 +19,8 @@ std::optional<Hit> beside(const Body& body, const glm::dvec3& p, const glm::dvec
 
 }  // namespace
 
-Rail find_rail(const Body& body, const Node& node, const glm::dvec3& p, double length) {
-  const glm::dvec3 up(0, 1, 0), out = lifted(node.contact.direction, 0);
+Rail find_rail(const Body& body, const Node& node, const glm::dvec3& p, const glm::dvec3& axis, double length) {
+  const glm::dvec3 out = lifted(node.contact.direction, 0);
   Rail rail{p, {}, node.before.solid_normal, node.after.solid_normal};
   if (node.joint) {
     rail.start = nearest_on_solid(body, p).position;
@@ -32,7 +32,7 @@ Rail find_rail(const Body& body, const Node& node, const glm::dvec3& p, double l
     const Hit hit = beside(body, p, node.contact.solid_normal, length).value_or(nearest_on_solid(body, p));
     rail.start = hit.smooth, rail.bulge = hit.smooth - hit.position, rail.before = rail.after = hit.normal;
     const glm::dvec3 n = rail.before;
-    const glm::dvec3 along = glm::dot(n, out) * up - glm::dot(n, up) * out;
+    const glm::dvec3 along = glm::dot(n, out) * axis - glm::dot(n, axis) * out;
     rail.way = glm::normalize(along - glm::dot(along, n) * n);
   }
   const glm::dvec3 n = glm::normalize(rail.mean());

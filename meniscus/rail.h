@@ -6,8 +6,9 @@
 
 namespace meniscus {
 
-// From `start` at slide 0, upward for positive ones: an arc of a circle in the vertical plane of the contour normal, or
-// the edge of a joint. It stands for the solid between `low` and `high` (metres, low <= 0 <= high).
+// From `start` at slide 0, upward for positive ones: an arc of a circle in the plane of the contour normal and the way
+// in which the solid goes on as a whole, or the edge of a joint. It stands for the solid between `low` and `high`
+// (metres, low <= 0 <= high).
 struct Rail {
   glm::dvec3 start, way;     // way: unit, along the solid, upward
   glm::dvec3 before, after;  // the solid's normals on the sides of the contour's ways that end and start here
@@ -24,7 +25,7 @@ struct Rail {
 };
 
 // The rail at the point of the solid beside `p`, for a node; `length` metres either way, farther where the solid is
-// straight, or as far as it goes on smoothly.
-Rail find_rail(const Body& body, const Node& node, const glm::dvec3& p, double length);
+// straight, or as far as it goes on smoothly. `axis`: in which the solid goes on, upward.
+Rail find_rail(const Body& body, const Node& node, const glm::dvec3& p, const glm::dvec3& axis, double length);
 
 }  // namespace meniscus

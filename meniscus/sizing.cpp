@@ -14,7 +14,7 @@ namespace meniscus {
 namespace {
 
 constexpr double kGrowth = 0.2;  // of the distance between columns, per distance along the line
-constexpr double kMostTriangles = 2e6, kMostSolved = 8e5;  // of all contours together
+constexpr double kMostTriangles = 2e6, kMostSolved = 6e5;  // of all contours together
 constexpr double kWithinPatch = 1.04;                      // sweep lengths: the patch reaches a little farther
 constexpr double kUnset = 1e300;
 

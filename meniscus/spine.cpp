@@ -6,26 +6,18 @@
 #include "meniscus/predicates.h"
 
 namespace meniscus {
-namespace {
 
-// How far the solid with these normals along the line leans, per height: least squares of normal . (Y + lean) = 0; only
-// across a flat wall.
-glm::dvec2 find_lean(const ContactLine& line, const std::vector<std::pair<glm::dvec3, glm::dvec3>>& normals) {
+glm::dvec2 find_lean(const std::vector<Strip>& strips) {
   glm::dmat2 square(0);
   glm::dvec2 side(0);
-  for (std::size_t i = 0; i < line.segments(); ++i) {
-    const double length = glm::distance(line.nodes[i].position, line.next(i).position);
-    for (const glm::dvec3& normal : {normals[i].second, normals[(i + 1) % normals.size()].first}) {
-      const glm::dvec2 n = planar(normal);
-      square += length * glm::outerProduct(n, n);
-      side -= length * normal.y * n;
-    }
+  for (const Strip& strip : strips) {
+    const glm::dvec2 n = planar(strip.normal);
+    square += strip.length * glm::outerProduct(n, n);
+    side -= strip.length * strip.normal.y * n;
   }
   const double least = 1e-6 * (square[0][0] + square[1][1]);
   return least > 0 ? glm::inverse(square + glm::dmat2(least)) * side : glm::dvec2(0);
 }
-
-}  // namespace
 
 Spine::Spine(const ContactLine& line, const Body& body, double lowest, double highest)
     : below_(follow(line, body, lowest)), above_(follow(line, body, highest)) {}
@@ -38,7 +30,13 @@ Spine::Branch Spine::follow(const ContactLine& line, const Body& body, double en
   for (const Node& node : line.nodes) normals.emplace_back(node.before.solid_normal, node.after.solid_normal);
   glm::dvec2 shift(0);
   for (int k = 1; k <= kSteps; ++k) {
-    branch.shifts.push_back(shift += branch.step * find_lean(line, normals));
+    std::vector<Strip> strips;
+    for (std::size_t i = 0; i < line.segments(); ++i) {
+      const double length = glm::distance(line.nodes[i].position, line.next(i).position);
+      strips.push_back({length, normals[i].second});
+      strips.push_back({length, normals[(i + 1) % normals.size()].first});
+    }
+    branch.shifts.push_back(shift += branch.step * find_lean(strips));
     if (k == kSteps) break;
     for (std::size_t i = 0; i < line.nodes.size(); ++i) {  // where no facet is met, the last one counts on
       const Node& node = line.nodes[i];

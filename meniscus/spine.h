@@ -8,6 +8,15 @@
 
 namespace meniscus {
 
+// A strip along a contour: how long, and the solid's normal there.
+struct Strip {
+  double length;
+  glm::dvec3 normal;
+};
+// How far the solid with these normals leans, per height, so that they are perpendicular to (lean, 1) in the sense of
+// least squares; only across a flat wall.
+glm::dvec2 find_lean(const std::vector<Strip>& strips);
+
 // How far a solid's cross section is shifted at each height: straight along a rod's axis or a box's edges, bent with a
 // bent rod; upright on spheres and cones.
 class Spine {
