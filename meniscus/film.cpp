@@ -154,6 +154,14 @@ void Film::rebase(double rail_length) {
       vertex.x += follow.weight * (c.rail.start - vertices_[c.vertex].x);
     }
   for (const ContactVertex& c : contacts_) vertices_[c.vertex].x = c.rail.start;
+  for (ContactVertex& c : contacts_) {
+    c.curvature = c.node->contact.curvature;
+    if (c.node->joint || c.before == kNoVertex || c.next == kNoVertex) continue;
+    const glm::dvec3 x = vertices_[c.vertex].x, in = x - vertices_[contacts_[c.before].vertex].x,
+                     out = vertices_[contacts_[c.next].vertex].x - x;
+    const double from = glm::length(in), to = glm::length(out);
+    c.curvature = -2 * glm::dot(out / to - in / from, c.rail.mean()) / (from + to);
+  }
   shares_.clear();
   for (const glm::uvec3& t : triangles_) {
     const glm::dvec3 p[3] = {vertices_[t.x].x, vertices_[t.y].x, vertices_[t.z].x};

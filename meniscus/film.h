@@ -74,7 +74,8 @@ class Film {
     const Body* body;
     std::uint32_t before = kNoVertex, next = kNoVertex;  // contacts
     Rail rail{};
-    double angle;  // contact angle
+    double angle;          // contact angle
+    double curvature = 0;  // of the contact line, away from the solid; 1/m, positive round a post
     double slide = 0;
     int held = 0;  // at an end of its rail: -1 low, 1 high
     bool pinned() const { return held > 0 ? rail.ends_high : held < 0 && rail.ends_low; }

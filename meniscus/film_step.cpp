@@ -23,7 +23,7 @@ Film::FirstFacet Film::first_facet(const ContactVertex& c, const FacetForces& f,
                                       : glm::distance(p[next], p[last]);
   const double reach = glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) / base;
   const double pull = glm::dot(along, f.on[i]) - f.weight[i] * rise;
-  const double narrowing = c.node->contact.curvature * out * reach / 4 * pull;  // per angle turned
+  const double narrowing = c.curvature * out * reach / 4 * pull;  // per angle turned
   const double missing = 0.5 * (std::sin(angle) - rise);
   return {f.weight[i] * missing - narrowing * (std::atan2(rise, out) - angle), missing,
           -narrowing * (out * along - rise * solid) - 0.5 * f.weight[i] * along,

@@ -3,7 +3,6 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace meniscus {
 
@@ -74,6 +73,8 @@ Eigen::VectorXd LinearSystem::solve_by_blocks(const Eigen::VectorXd& right) cons
 Eigen::VectorXd LinearSystem::solve(const Eigen::VectorXd& right) {
   constexpr double kPrecise = 1e-3;
   constexpr int kOld = 12, kMost = 60;  // iterations with factors of an earlier matrix, and with its own
+  const Eigen::VectorXd none = Eigen::VectorXd::Constant(right.size(), std::numeric_limits<double>::quiet_NaN());
+  if (!matrix_.coeffs().allFinite() || !right.allFinite()) return none;
   const bool old = factored_;
   if (!old) factor();
   Eigen::BiCGSTAB<Matrix, Preconditioner> iteration;
@@ -85,7 +86,7 @@ Eigen::VectorXd LinearSystem::solve(const Eigen::VectorXd& right) {
   (old ? last_ : first_) = iteration.iterations();
   if (!old) last_ = first_;
   if (iteration.info() == Eigen::Success && result.allFinite()) return result;
-  if (!old) return Eigen::VectorXd::Constant(right.size(), std::numeric_limits<double>::quiet_NaN());
+  if (!old) return none;
   factored_ = false;
   return solve(right);
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "meniscus/lift.h"
+#include "meniscus/young_laplace.h"
 #include "tests/unit/meniscus_solved.h"
 
 using namespace solved;
@@ -148,6 +149,44 @@ void check_tilted(double theta, double low, double high) {
 TEST(SolvedContactLine, OnATiltedPostIsThatOfAFineSolution) {
   check_tilted(60, -0.198, 1.879);
   check_tilted(30, 0.623, 2.61);
+}
+
+// Round a sphere the liquid hangs as round a post that is as wide where they meet, at the sphere's slant there.
+double rise_at_sphere(double radius, double centre, double theta, double low, double high) {
+  const auto missing = [&](double height) {
+    const double cosine = (height - centre) / radius, across = radius * std::sqrt(1 - cosine * cosine);
+    return kWater * meniscus::exact_rise(std::acos(cosine) - glm::radians(theta), kWater / across) - height;
+  };
+  EXPECT_LT(missing(low) * missing(high), 0);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (missing(low) * missing(middle) <= 0 ? high : low) = middle;
+  }
+  return low;
+}
+
+TEST(SolvedContactLine, OnSpheresThatHardlyMeetTheLiquidIsYoungLaplaces) {
+  struct Case {
+    double radius, centre, theta, rise;  // mm, degrees; about
+  };
+  for (const Case& c : {Case{2, 1.9, 30, 1.8}, {2, 1.99, 100, 0.77}, {2, -1, 0, 0.72}, {2, -1.9, 90, -0.88}}) {
+    SCOPED_TRACE(c.centre);
+    const TriangleMesh ball = translated(sphere(c.radius * kMm, 128, 64), {0, c.centre * kMm, 0});
+    const meniscus::Surface surface = solve(still_water(sheet(30 * kMm, 40)), {solid(ball, c.theta)});
+    ASSERT_EQ(surface.contacts.size(), 1u);
+    const double a = 0.95 * c.rise * kMm, b = 1.05 * c.rise * kMm;
+    expect_rise(surface.contacts[0],
+                rise_at_sphere(c.radius * kMm, c.centre * kMm, c.theta, std::min(a, b), std::max(a, b)), 2e-3);
+  }
+}
+
+// Its sides have long left the vertical planes in which they were met.
+TEST(SolvedContactLine, FollowsALeaningNeedleMuchThinnerThanItRises) {
+  const TriangleMesh needle = turned(post(0.02 * kMm, -5 * kMm, 5 * kMm, 64), 60, {0, 0, 1});
+  const meniscus::Surface surface = solve(still_water(sheet(30 * kMm, 40)), {solid(needle, 0)});
+  ASSERT_EQ(surface.contacts.size(), 1u);
+  EXPECT_GT(surface.contacts[0].rise_min, 0.05 * kMm);
+  for (const dvec3& p : surface.mesh.positions) EXPECT_FALSE(std::isnan(p.y));
 }
 
 }  // namespace
