@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <numeric>
 #include <set>
+#include <sstream>
 #include <unordered_map>
+
+#include "meniscus/corner.h"
 
 namespace meniscus {
 namespace {
@@ -71,13 +75,67 @@ glm::dvec3 above(const Base& base, const glm::dvec3& normal) {
   return glm::normalize(normal + normal.y / base.normal.y * glm::dvec3(base.normal.x, 0, base.normal.z));
 }
 
+Film::Outcome solve(Film& film) {
+  Film::Outcome outcome = film.solve();
+  outcome.converged = outcome.converged && !film.vanished();
+  return outcome;
+}
+
+// Brings the contact angles from those at which the level liquid is at rest to the solids' own, in steps so small that
+// Newton's method can follow. Leaves the film as far on the way as it came, if that is most of it.
+Film::Outcome ease(Film& film) {
+  constexpr double kFirst = 0.25, kLeast = 0.02, kEnough = 0.5;  // parts of the way
+  constexpr int kMostSteps = 200;
+  Film::Outcome last;
+  double done = 0;
+  for (double step = kFirst; done < 1 && step > kLeast && last.steps < kMostSteps;) {
+    const double part = std::min(done + step, 1.0);
+    Film next = film;
+    next.ask(part);
+    const Film::Outcome outcome = solve(next);
+    last.steps += outcome.steps;
+    if (outcome.converged) {
+      film = std::move(next), done = part, last.last_step = outcome.last_step;
+      step *= 1.5;
+    } else {
+      step = 0.5 * (part - done);
+    }
+  }
+  last.converged = done >= kEnough;
+  return last;
+}
+
+// What is raised is near where it rests, but not where menisci meet, which may rise far above each alone; from the
+// level the way is long where the solid is met at a grazing angle.
+Film::Outcome find_rest(Film& film, FilmContext& context, const std::vector<std::uint32_t>& part) {
+  int steps = 0;
+  Film::Outcome outcome = solve(film);
+  if (!outcome.converged) {
+    steps += outcome.steps;
+    film = Film(context, part, Film::Start::raised);
+    outcome = solve(film);
+  }
+  constexpr int kToAndFro = 100;  // steps: a film that creeps between a flat-shaded solid's facets does so at any angle
+  if (!outcome.converged && steps + outcome.steps < kToAndFro) {
+    steps += outcome.steps;
+    film = Film(context, part, Film::Start::level);
+    outcome = ease(film);
+  }
+  outcome.steps += steps;
+  return outcome;
+}
+
 }  // namespace
 
 Solution equilibrate(Raised& raised, Sheet& sheet, std::vector<ContactLine>& lines, const std::vector<Body>& bodies,
                      const Liquid& liquid, const Warnings& as_raised, Warnings& warnings) {
-  FilmContext context{sheet, raised, lines, bodies, liquid.capillary_length, {}, {}};
+  FilmContext context{sheet, raised, lines, bodies, liquid.capillary_length, {}, {}, {}};
   context.local.assign(sheet.vertices.size(), kNoVertex);
-  for (const ContactLine& line : lines) context.contact_at.emplace_back(line.nodes.size(), kNoVertex);
+  for (const ContactLine& line : lines) {
+    const Body& body = bodies[line.solid];
+    context.contact_at.emplace_back(line.nodes.size(), kNoVertex);
+    context.angles.push_back(finite_angles(line, body.contact_angle, liquid.capillary_length, body.name, warnings));
+  }
   for (std::uint32_t v = 0; v < sheet.vertices.size(); ++v) {
     const Sheet::Vertex& vertex = sheet.vertices[v];
     if (vertex.node) context.contact_at[vertex.foot.line][vertex.foot.node] = v;
@@ -85,23 +143,23 @@ Solution equilibrate(Raised& raised, Sheet& sheet, std::vector<ContactLine>& lin
   Solution solution;
   std::set<std::size_t> failed;         // solids
   std::map<std::size_t, Share> pinned;  // by solid
+  std::map<std::size_t, double> off;    // radians, by solid
   for (const std::vector<std::uint32_t>& part : find_parts(sheet, lines)) {
-    // What is raised is near where it rests, but not where menisci meet, which may rise far above each alone; from the
-    // level the way is long where the solid is met at a grazing angle.
     Film film(context, part, Film::Start::level);
-    Film::Outcome outcome = film.solve();
-    if (!outcome.converged) {
-      film = Film(context, part, Film::Start::raised);
-      const int steps = outcome.steps;
-      outcome = film.solve(), outcome.steps += steps;
-    }
+    const Film::Outcome outcome = find_rest(film, context, part);
     ++solution.parts;
     solution.unknowns += film.unknowns(), solution.steps += static_cast<std::size_t>(outcome.steps);
-    if (!outcome.converged) {
+    if (!outcome.converged || film.off() > 0) {
       ++solution.failed;
-      for (const std::uint32_t t : part) failed.insert(lines[sheet.line_of(t)].solid);
-      continue;
+      for (const std::uint32_t t : part) {
+        const std::size_t solid = lines[sheet.line_of(t)].solid;
+        if (outcome.converged)
+          off[solid] = std::max(off[solid], film.off());
+        else
+          failed.insert(solid);
+      }
     }
+    if (!outcome.converged) continue;
     solution.last_step = std::max(solution.last_step, outcome.last_step);
     const Film::Shape shape = film.shape();
     solution.height_error = std::max(solution.height_error, shape.sagitta);
@@ -131,6 +189,12 @@ Solution equilibrate(Raised& raised, Sheet& sheet, std::vector<ContactLine>& lin
                             "': the shape of its meniscus at rest was not found; it has the paper's profile, as high "
                             "as at a straight or round wall",
                         {solid}});
+  }
+  for (const auto& [solid, by] : off) {
+    std::ostringstream message;
+    message << "solid '" << bodies[solid].name << "': its meniscus at rest was found only for contact angles up to "
+            << std::setprecision(2) << glm::degrees(by) << " degrees off; it reaches less far from the level";
+    warnings.push_back({message.str(), {solid}});
   }
   for (const Warning& w : as_raised) {
     if (std::any_of(w.solids.begin(), w.solids.end(), [&](std::size_t s) { return failed.contains(s); }))

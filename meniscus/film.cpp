@@ -36,7 +36,7 @@ Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, St
       c.vertex = i, c.unknown = unknowns_++, c.node = s.node;
       c.body = &context.bodies[context.lines[s.foot.line].solid];
       c.rail.before = s.node->before.solid_normal, c.rail.after = s.node->after.solid_normal;
-      c.angle = c.body->contact_angle;
+      c.angle = c.wanted = context.angles[s.foot.line][s.foot.node];
     } else {
       vertex.unknown = unknowns_++;
     }
@@ -167,6 +167,32 @@ void Film::rebase(double rail_length) {
     const glm::dvec3 p[3] = {vertices_[t.x].x, vertices_[t.y].x, vertices_[t.z].x};
     shares_.push_back(corner_shares(p));
   }
+}
+
+void Film::ask(double part) {
+  for (ContactVertex& c : contacts_) {
+    const glm::dvec3 solid = glm::normalize(c.node->before.solid_normal + c.node->after.solid_normal);
+    const double level = std::acos(std::clamp(glm::dot(solid, c.node->liquid_normal), -1.0, 1.0));
+    c.angle = std::lerp(level, c.wanted, part);
+  }
+}
+
+double Film::off() const {
+  double most = 0;
+  for (const ContactVertex& c : contacts_) most = std::max(most, std::abs(c.wanted - c.angle));
+  return most;
+}
+
+bool Film::vanished() const {
+  constexpr double kLeast = 0.05;
+  double was = 0, is = 0;  // length
+  for (const ContactVertex& c : contacts_) {
+    if (c.next == kNoVertex) continue;
+    const ContactVertex& d = contacts_[c.next];
+    was += glm::distance(c.node->position, d.node->position);
+    is += glm::distance(vertices_[c.vertex].x, vertices_[d.vertex].x);
+  }
+  return is < kLeast * was;
 }
 
 Film::State Film::save() const {

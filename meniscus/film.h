@@ -21,6 +21,7 @@ struct FilmContext {
   const std::vector<Body>& bodies;
   double capillary_length;                             // metres
   std::vector<std::vector<std::uint32_t>> contact_at;  // the sheet's vertex at each line's node
+  std::vector<std::vector<double>> angles;             // the contact angle there
   std::vector<std::uint32_t> local;                    // scratch: per vertex of the sheet kNoVertex
 };
 
@@ -41,6 +42,12 @@ class Film {
   };
 
   Outcome solve();
+  // Asks for contact angles that are a part, from 0 to 1, of the way from those at which the level liquid is at rest to
+  // the solids' own; how far they are off these at most, radians.
+  void ask(double part);
+  double off() const;
+  // Has its contact line shrunk to next to nothing, at a solid's tip? Forces cancel there whatever the angle.
+  bool vanished() const;
 
   struct Point {
     std::uint32_t vertex;  // of the sheet
@@ -74,7 +81,7 @@ class Film {
     const Body* body;
     std::uint32_t before = kNoVertex, next = kNoVertex;  // contacts
     Rail rail{};
-    double angle;          // contact angle
+    double angle, wanted;  // contact angle: the one asked for, the solid's
     double curvature = 0;  // of the contact line, away from the solid; 1/m, positive round a post
     double slide = 0;
     int held = 0;  // at an end of its rail: -1 low, 1 high

@@ -84,7 +84,7 @@ void Film::add_wetting(Equations& result) const {
     // Smooth normals of a faceted solid lean along its facets: what is wetted is as wide as the edge is long.
     glm::dvec3 sum = c.rail.after_at(c.slide) + d.rail.before_at(d.slide);
     sum -= glm::dot(sum, edge) / glm::dot(edge, edge) * edge;
-    const double size = glm::length(sum), pull = -0.5 * std::cos(c.angle);
+    const double size = glm::length(sum), pull = -0.25 * (std::cos(c.angle) + std::cos(d.angle));
     const glm::dvec3 normal = sum / size;  // to the left of the edge, where the liquid is
     for (int i = 0; i < 2; ++i) {
       force[ends[i]->unknown] += pull * glm::dot(normal, glm::cross(ways[i], edge));

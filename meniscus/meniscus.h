@@ -64,7 +64,8 @@ struct Contact {
 
 // How the exact profile was found.
 struct Solution {
-  std::size_t parts = 0, failed = 0;    // menisci that touch each other make one part
+  // Menisci that touch each other make one part; it failed if it does not rest at its contact angles.
+  std::size_t parts = 0, failed = 0;
   std::size_t unknowns = 0, steps = 0;  // of all parts; Newton steps
   double last_step = 0;                 // the largest of the parts' last full steps, metres
   double height_error = 0;              // how far facets leave the surface, at most; metres
