@@ -22,26 +22,23 @@ std::vector<std::vector<std::uint32_t>> find_parts(const Sheet& sheet, const std
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
-  const auto moves = [&](std::uint32_t v) {
-    const Foot& foot = sheet.vertices[v].foot;
-    return foot.exists() && foot.distance < lines[foot.line].sweep;
-  };
+  const auto is_mover = [&](std::uint32_t v) { return moves(sheet.vertices[v], lines); };
   const auto mover = [&](const glm::uvec3& t) {
     for (int k = 0; k < 3; ++k)
-      if (moves(t[k])) return t[k];
+      if (is_mover(t[k])) return t[k];
     return kNoVertex;
   };
   for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
-    const std::uint32_t first = sheet.raised[t] ? mover(sheet.triangles[t]) : kNoVertex;
+    const std::uint32_t first = mover(sheet.triangles[t]);
     for (int k = 0; k < 3 && first != kNoVertex; ++k) {
       const std::uint32_t v = sheet.triangles[t][k];
-      if (moves(v)) parent[root(v)] = root(first);
+      if (is_mover(v)) parent[root(v)] = root(first);
     }
   }
   std::map<std::uint32_t, std::size_t> part_of;
   std::vector<std::vector<std::uint32_t>> parts;
   for (std::uint32_t t = 0; t < sheet.triangles.size(); ++t) {
-    const std::uint32_t first = sheet.raised[t] ? mover(sheet.triangles[t]) : kNoVertex;
+    const std::uint32_t first = mover(sheet.triangles[t]);
     if (first == kNoVertex) continue;
     const auto [known, fresh] = part_of.try_emplace(root(first), parts.size());
     if (fresh) parts.emplace_back();
@@ -52,14 +49,14 @@ std::vector<std::vector<std::uint32_t>> find_parts(const Sheet& sheet, const std
 
 // Of a part at rest, the triangles whose slope counts stay targets of photons.
 void keep_steep(const std::vector<std::uint32_t>& part, const std::vector<Film::Point>& points, Sheet& sheet) {
-  constexpr double kSteep = 2, kShare = 0.1;  // degrees; of the steepest
+  constexpr double kSteep = 2, kLevel = 0.01, kShare = 0.1;  // degrees; of the steepest
   std::unordered_map<std::uint32_t, double> slopes;
   double steepest = 0;
   for (const Film::Point& p : points) {
     const glm::dvec3& n = p.at.normal;
     steepest = std::max(steepest, slopes[p.vertex] = std::atan2(std::hypot(n.x, n.z), n.y));
   }
-  const double least = std::min(glm::radians(kSteep), kShare * steepest);
+  const double least = std::clamp(kShare * steepest, glm::radians(kLevel), glm::radians(kSteep));
   for (const std::uint32_t t : part) {
     bool steep = false;
     for (int k = 0; k < 3; ++k) {
@@ -139,6 +136,15 @@ Solution equilibrate(Raised& raised, Sheet& sheet, std::vector<ContactLine>& lin
   for (std::uint32_t v = 0; v < sheet.vertices.size(); ++v) {
     const Sheet::Vertex& vertex = sheet.vertices[v];
     if (vertex.node) context.contact_at[vertex.foot.line][vertex.foot.node] = v;
+  }
+  std::set<std::size_t> crossed;  // solids
+  for (const Sheet::Vertex& v : sheet.vertices)
+    if (v.crossing && v.foot.exists() && lines[v.foot.line].sweep > 0) crossed.insert(lines[v.foot.line].solid);
+  for (const std::size_t solid : crossed) {
+    warnings.push_back({"solid '" + bodies[solid].name +
+                            "': where its contact line crosses another solid's the liquid stays level; as one solid "
+                            "they would get the meniscus that they have together",
+                        {solid}});
   }
   Solution solution;
   std::set<std::size_t> failed;         // solids

@@ -10,6 +10,10 @@
 
 namespace meniscus {
 
+bool moves(const Sheet::Vertex& vertex, const std::vector<ContactLine>& lines) {
+  return vertex.foot.exists() && vertex.foot.distance < lines[vertex.foot.line].sweep && !vertex.crossing;
+}
+
 Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, Start start)
     : length_(context.capillary_length) {
   const Sheet& sheet = context.sheet;
@@ -29,25 +33,27 @@ Film::Film(FilmContext& context, const std::vector<std::uint32_t>& triangles, St
   for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
     Vertex& vertex = vertices_[i];
     const Sheet::Vertex& s = sheet.vertices[vertex.in_sheet];
-    if (!s.foot.exists() || !(s.foot.distance < context.lines[s.foot.line].sweep) || s.crossing) continue;
+    if (!moves(s, context.lines)) continue;
     if (s.node) {
       vertex.contact = static_cast<std::uint32_t>(contacts_.size());
       ContactVertex& c = contacts_.emplace_back();
       c.vertex = i, c.unknown = unknowns_++, c.node = s.node;
-      c.body = &context.bodies[context.lines[s.foot.line].solid];
+      c.line = s.foot.line, c.body = &context.bodies[context.lines[c.line].solid];
       c.rail.before = s.node->before.solid_normal, c.rail.after = s.node->after.solid_normal;
       c.angle = c.wanted = context.angles[s.foot.line][s.foot.node];
     } else {
       vertex.unknown = unknowns_++;
     }
   }
-  std::map<std::uint32_t, std::uint32_t> block_of;  // line
+  constexpr std::size_t kRun = 128;  // nodes of a line whose columns are a block
+  std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> block_of;
   blocks_.resize(unknowns_);
   for (const Vertex& vertex : vertices_) {
     const std::uint32_t u = vertex.contact == kNoVertex ? vertex.unknown : contacts_[vertex.contact].unknown;
     if (u == kNoVertex) continue;
-    const auto line = static_cast<std::uint32_t>(sheet.vertices[vertex.in_sheet].foot.line);
-    blocks_[u] = block_of.try_emplace(line, static_cast<std::uint32_t>(block_of.size())).first->second;
+    const Foot& foot = sheet.vertices[vertex.in_sheet].foot;
+    const auto next = static_cast<std::uint32_t>(block_of.size());
+    blocks_[u] = block_of.try_emplace({foot.line, foot.node / kRun}, next).first->second;
   }
   link(context);
   fence(context);
@@ -118,17 +124,17 @@ glm::dvec3 Film::within(const std::vector<glm::dvec3>& fences, const glm::dvec3&
 }
 
 // The ways in which solids go on as wholes, by contact line.
-std::vector<glm::dvec3> Film::find_axes() const {
-  std::vector<std::vector<Strip>> strips(1 + *std::max_element(blocks_.begin(), blocks_.end()));
+std::map<std::size_t, glm::dvec3> Film::find_axes() const {
+  std::map<std::size_t, std::vector<Strip>> strips;
   for (const ContactVertex& c : contacts_) {
+    std::vector<Strip>& line = strips[c.line];
     if (c.next == kNoVertex) continue;
     const ContactVertex& d = contacts_[c.next];
     const double length = glm::distance(vertices_[c.vertex].x, vertices_[d.vertex].x);
-    for (const glm::dvec3& normal : {c.rail.after, d.rail.before})
-      strips[blocks_[c.unknown]].push_back({length, normal});
+    for (const glm::dvec3& normal : {c.rail.after, d.rail.before}) line.push_back({length, normal});
   }
-  std::vector<glm::dvec3> axes;
-  for (const std::vector<Strip>& line : strips) axes.push_back(glm::normalize(lifted(find_lean(line), 1)));
+  std::map<std::size_t, glm::dvec3> axes;
+  for (const auto& [line, of_line] : strips) axes[line] = glm::normalize(lifted(find_lean(of_line), 1));
   return axes;
 }
 
@@ -138,10 +144,10 @@ void Film::rebase(double rail_length) {
   const std::vector<glm::dvec3> normals = facet_normals();
   for (std::size_t i = 0; i < vertices_.size(); ++i)
     vertices_[i].way = glm::normalize(within(vertices_[i].fences, normals[i]));
-  const std::vector<glm::dvec3> axes = find_axes();
+  const std::map<std::size_t, glm::dvec3> axes = find_axes();
   for (ContactVertex& c : contacts_) {
     const glm::dvec3 level(0, c.node->position.y, 0);
-    c.rail = find_rail(*c.body, *c.node, vertices_[c.vertex].x + level, axes[blocks_[c.unknown]], rail_length);
+    c.rail = find_rail(*c.body, *c.node, vertices_[c.vertex].x + level, axes.at(c.line), rail_length);
     c.rail.start -= level;
     c.slide = 0;
     if (c.held > 0 ? !c.rail.ends_high || c.rail.high > kRoom * length_

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <map>
 
 #include "meniscus/rail.h"
 #include "meniscus/raise.h"
@@ -24,6 +25,9 @@ struct FilmContext {
   std::vector<std::vector<double>> angles;             // the contact angle there
   std::vector<std::uint32_t> local;                    // scratch: per vertex of the sheet kNoVertex
 };
+
+// Does the vertex belong to a meniscus that is solved for? Where the lines of two solids cross it stays.
+bool moves(const Sheet::Vertex& vertex, const std::vector<ContactLine>& lines);
 
 // Unknowns: for each vertex how far it goes along its own normal, for each contact vertex how far it slides on its
 // rail. What lies between a contact line and the end of its meniscus is carried along as the line slides, the less the
@@ -78,6 +82,7 @@ class Film {
   struct ContactVertex {
     std::uint32_t vertex, unknown;
     const Node* node;
+    std::size_t line;
     const Body* body;
     std::uint32_t before = kNoVertex, next = kNoVertex;  // contacts
     Rail rail{};
@@ -105,8 +110,9 @@ class Film {
 
   struct Round {                      // with the same rails
     double moved = 0, last_step = 0;  // metres: in all; the last whole step
-    bool settled = false;             // was it as good as none?
-    bool railed = false;              // did it end where the rails are no longer known?
+    int steps = 0;
+    bool settled = false;  // was it as good as none?
+    bool railed = false;   // did it end where the rails are no longer known?
     bool goes_on(double capillary_length) const { return !settled && !railed && moved < 0.5 * capillary_length; }
   };
 
@@ -114,7 +120,7 @@ class Film {
   void fence(const FilmContext& context);
   static glm::dvec3 within(const std::vector<glm::dvec3>& fences, const glm::dvec3& way);
   std::vector<glm::dvec3> facet_normals() const;
-  std::vector<glm::dvec3> find_axes() const;
+  std::map<std::size_t, glm::dvec3> find_axes() const;
   void rebase(double rail_length);
   FirstFacet first_facet(const ContactVertex& c, const FacetForces& f, const glm::dvec3 p[3], int i,
                          const glm::uvec3& t) const;
@@ -130,7 +136,7 @@ class Film {
 
   double length_;
   std::uint32_t unknowns_ = 0;
-  std::vector<std::uint32_t> blocks_;  // of the unknowns: by contact line
+  std::vector<std::uint32_t> blocks_;  // of the unknowns: by run of a contact line's nodes
   std::vector<Vertex> vertices_;
   std::vector<ContactVertex> contacts_;
   std::vector<glm::uvec3> triangles_;

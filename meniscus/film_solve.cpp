@@ -14,7 +14,8 @@ std::vector<bool> Film::hold(Eigen::VectorXd& force) {
   return held;
 }
 
-// One matrix and as many steps as it is good for. Returns whether there was one: no step may be too long by far.
+// Steps with one matrix, as many as it is good for. Returns false if there is none: where no tenth of it would bring
+// the film nearer to rest.
 bool Film::go_on(LinearSystem& system, Round& round) {
   constexpr double kLeastPart = 0.1, kReuse = 0.3;
   constexpr double kPrecise = 1e-7, kShare = 1e-3;  // of a step: capillary lengths, part of what the round moved
@@ -41,13 +42,13 @@ bool Film::go_on(LinearSystem& system, Round& round) {
         force = equations().force;
         same = hold(force) == held;
         next = system.solve(-force);
-        contraction = next.norm() / step.norm();
+        contraction = step.norm() > 0 ? next.norm() / step.norm() : 0;
       }
       if (!(contraction < 1 - part / 4)) {
         restore(from);
         continue;
       }
-      any = true;
+      any = true, ++round.steps;
       round.moved += part * round.last_step;
       round.railed = whole < 1;
       round.settled = part == 1 && round.last_step <= std::max(kPrecise * length_, kShare * round.moved);
@@ -60,7 +61,7 @@ bool Film::go_on(LinearSystem& system, Round& round) {
 }
 
 Film::Outcome Film::solve() {
-  constexpr int kRounds = 40, kMostSteps = 200;
+  constexpr int kRounds = 40, kMostSteps = 300;
   // Capillary lengths: of rails; that a last round may move it by; and facets' edges, to and fro.
   constexpr double kRail = 0.3, kSettled = 1e-4, kFacets = 2e-3;
   Outcome outcome;
@@ -70,9 +71,13 @@ Film::Outcome Film::solve() {
     rebase(kRail * length_);
     Round now;
     while (now.goes_on(length_)) {
-      if (outcome.steps++ == kMostSteps || !go_on(system, now)) return outcome;
+      if (outcome.steps + now.steps >= kMostSteps || !go_on(system, now)) {
+        outcome.steps += now.steps;
+        return outcome;
+      }
       outcome.last_step = now.last_step;
     }
+    outcome.steps += now.steps;
     const double moved = now.moved / length_;
     outcome.converged = now.settled && (moved < kSettled || (moved < kFacets && moved > 0.5 * before));
     before = moved;

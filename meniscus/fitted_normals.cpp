@@ -54,7 +54,7 @@ std::vector<glm::dvec3> fit_normals(const std::vector<glm::dvec3>& positions, co
     terms.array().rowwise() /= scale.array();
     const Eigen::Matrix<double, kTerms, 1> fit =
         terms.colPivHouseholderQr().solve(heights).cwiseQuotient(scale.transpose());
-    result.push_back(glm::normalize(z - fit[0] * x - fit[1] * y));
+    result.push_back(fit.allFinite() ? glm::normalize(z - fit[0] * x - fit[1] * y) : z);
   }
   return result;
 }

@@ -71,7 +71,7 @@ Eigen::VectorXd LinearSystem::solve_by_blocks(const Eigen::VectorXd& right) cons
 }
 
 Eigen::VectorXd LinearSystem::solve(const Eigen::VectorXd& right) {
-  constexpr double kPrecise = 1e-3;
+  constexpr double kPrecise = 1e-4;
   constexpr int kOld = 12, kMost = 60;  // iterations with factors of an earlier matrix, and with its own
   const Eigen::VectorXd none = Eigen::VectorXd::Constant(right.size(), std::numeric_limits<double>::quiet_NaN());
   if (!matrix_.coeffs().allFinite() || !right.allFinite()) return none;

@@ -186,6 +186,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   const bool solved = liquid.profile == Profile::solved;
   const double unit = sweep_length(liquid);
   double reach = raised_length(liquid);
+  constexpr double kCurved = 1;  // capillary lengths: fits the equilibrium of an ellipse best
 
   std::vector<Box> boxes;
   for (const std::uint32_t t : surface) boxes.push_back(level.box(t));
@@ -194,9 +195,10 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   std::vector<ContactLine> lines;  // evenly fine at first: these show where columns may stand farther apart
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     for (Contour& contour : find_contours(level, surface, tree, bodies, s, warnings)) {
-      refuse_endless(contour, bodies[s].name, reach);
+      refuse_endless(contour, bodies[s].name, raised_length(liquid));
       lines.push_back(refine(contour, s, unit, {{}, find_fineness(contour, bodies[s].contact_angle, liquid)}));
       contours.push_back(std::move(contour));
+      measure_curvature(lines.back(), kCurved * liquid.capillary_length);
       constexpr double kLeft = 5;  // capillary lengths beyond the contact line, however far it runs out
       if (solved) reach = std::max(reach, run_out(lines.back(), bodies[s], liquid) + kLeft * liquid.capillary_length);
     }
@@ -205,7 +207,6 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   constexpr double kMargin = 1.05;  // the band's border keeps clear of the patch's
   const Patch patch(level, surface, lines, kMargin * reach);
   const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, unit, reach, warnings);
-  constexpr double kCurved = 1;  // capillary lengths: fits the equilibrium of an ellipse best
   for (std::size_t l = 0; l < lines.size(); ++l) {
     lines[l] = refine(contours[l], lines[l].solid, unit, resolutions[l]);
     lines[l].sweep = reach;
@@ -243,7 +244,10 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
     return result;
   }
   Raised raised = raise(level, surface, patch, sheet, lines, bodies, liquid, solved ? as_raised : warnings);
-  if (solved) result.solution = equilibrate(raised, sheet, lines, bodies, liquid, as_raised, warnings);
+  if (solved) {
+    wake_neighbours(lines, reach);  // what was lowered to the level
+    result.solution = equilibrate(raised, sheet, lines, bodies, liquid, as_raised, warnings);
+  }
   Stitched stitched = stitch(level, surface, patch, sheet, raised, bodies);
   if (!lines.empty()) check(liquid, stitched, lines, bodies, warnings);
   if (!faces_up(stitched.mesh))

@@ -29,7 +29,8 @@ Rail find_rail(const Body& body, const Node& node, const glm::dvec3& p, const gl
     rail.way = glm::normalize(rail.way);
   } else {
     // Where the contact has gone far, the solid may face another way there than at the node.
-    const Hit hit = beside(body, p, node.contact.solid_normal, length).value_or(nearest_on_solid(body, p));
+    const std::optional<Hit> met = beside(body, p, node.contact.solid_normal, length);
+    const Hit hit = met ? *met : nearest_on_solid(body, p);
     rail.start = hit.smooth, rail.bulge = hit.smooth - hit.position, rail.before = rail.after = hit.normal;
     const glm::dvec3 n = rail.before;
     const glm::dvec3 along = glm::dot(n, out) * axis - glm::dot(n, axis) * out;

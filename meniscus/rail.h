@@ -6,9 +6,9 @@
 
 namespace meniscus {
 
-// From `start` at slide 0, upward for positive ones: an arc of a circle in the plane of the contour normal and the way
-// in which the solid goes on as a whole, or the edge of a joint. It stands for the solid between `low` and `high`
-// (metres, low <= 0 <= high).
+// From `start` at slide 0, upward for positive ones: a parabola, as curved as the solid, in the plane of the contour
+// normal and the way in which the solid goes on as a whole, or the edge of a joint. It stands for the solid between
+// `low` and `high` (metres, low <= 0 <= high).
 struct Rail {
   glm::dvec3 start, way;     // way: unit, along the solid, upward
   glm::dvec3 before, after;  // the solid's normals on the sides of the contour's ways that end and start here

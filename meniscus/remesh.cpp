@@ -30,7 +30,7 @@ class Builder {
     for (std::size_t l = 0; l < lines_.size(); ++l) {
       for (std::size_t i = 0; i < lines_[l].nodes.size(); ++i) {
         const Node& node = lines_[l].nodes[i];
-        const std::uint32_t v = add(planar(node.position));
+        const std::uint32_t v = add(place(node, lines_[l].sweep));
         Sheet::Vertex& vertex = vertices_[v];
         vertex.node = &node;
         vertex.border = node.border;
@@ -72,6 +72,18 @@ class Builder {
     vertices_[v].x = x;
     if (taken) spacing_.take(x);
     return v;
+  }
+
+  // Where a contour ends beside a point of the liquid's border, that point: a sliver between them would have no shape.
+  glm::dvec2 place(const Node& node, double sweep) const {
+    constexpr double kBeside = 1e-6;  // sweep lengths
+    const glm::dvec2 x = planar(node.position);
+    if (!node.border) return x;
+    for (const std::uint32_t end : {node.border->first, node.border->second}) {
+      const glm::dvec2 p = planar(liquid_.points[end]);
+      if (glm::distance(p, x) < kBeside * sweep) return p;
+    }
+    return x;
   }
 
   std::uint32_t original(std::uint32_t point) {

@@ -104,8 +104,9 @@ std::vector<Resolution> find_resolutions(const std::vector<ContactLine>& lines, 
     message << ": its contour";
   message << " of " << std::setprecision(3) << whole << " m " << (lines.size() > 1 ? "are" : "is")
           << " too long for the tolerance of the menisci: to stay below " << most_triangles
-          << " triangles they are off by up to " << 1e6 * most.height << " um and " << glm::degrees(most.normal)
-          << " degrees, " << coarseness * coarseness << " times as much as usual";
+          << " triangles they are off by ";
+  if (!solved) message << "up to " << 1e6 * most.height << " um and " << glm::degrees(most.normal) << " degrees, ";
+  message << coarseness * coarseness << " times as much as usual";
   std::vector<std::size_t> solids;
   for (const ContactLine& line : lines) solids.push_back(line.solid);
   warnings.push_back({message.str(), std::move(solids)});

@@ -182,8 +182,8 @@ TEST(SolvedContactLine, OnSpheresThatHardlyMeetTheLiquidIsYoungLaplaces) {
 
 // Its sides have long left the vertical planes in which they were met.
 TEST(SolvedContactLine, FollowsALeaningNeedleMuchThinnerThanItRises) {
-  const TriangleMesh needle = turned(post(0.02 * kMm, -5 * kMm, 5 * kMm, 64), 60, {0, 0, 1});
-  const meniscus::Surface surface = solve(still_water(sheet(30 * kMm, 40)), {solid(needle, 0)});
+  const TriangleMesh needle = turned(post(0.02 * kMm, -5 * kMm, 5 * kMm, 64), 30, {0, 0, 1});
+  const meniscus::Surface surface = solve(still_water(sheet(30 * kMm, 40)), {solid(needle, 30)});
   ASSERT_EQ(surface.contacts.size(), 1u);
   EXPECT_GT(surface.contacts[0].rise_min, 0.05 * kMm);
   for (const dvec3& p : surface.mesh.positions) EXPECT_FALSE(std::isnan(p.y));
