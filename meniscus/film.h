@@ -121,6 +121,7 @@ class Film {
   static glm::dvec3 within(const std::vector<glm::dvec3>& fences, const glm::dvec3& way);
   std::vector<glm::dvec3> facet_normals() const;
   std::map<std::size_t, glm::dvec3> find_axes() const;
+  double curvature_at(const ContactVertex& c) const;
   void rebase(double rail_length);
   FirstFacet first_facet(const ContactVertex& c, const FacetForces& f, const glm::dvec3 p[3], int i,
                          const glm::uvec3& t) const;
