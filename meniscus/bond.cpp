@@ -122,21 +122,14 @@ bool bond_side(Side& side, Node& node, const Body& body, double sweep, double he
 template <class Visit>
 void fade_from_joint(const ContactLine& line, std::size_t start, bool forward, double length, double shift,
                      Visit visit) {
-  const std::size_t n = line.nodes.size();
   std::vector<std::pair<std::size_t, double>> run;  // nodes and their distance from the joint
-  double way = 0;
-  for (std::size_t at = start, k = 1; k <= n; ++k) {
-    if (!line.closed && (forward ? at + 1 == n : at == 0)) break;
-    const std::size_t next = forward ? (at + 1) % n : (at + n - 1) % n;
-    way += glm::distance(line.nodes[at].position, line.nodes[next].position);
-    at = next;
-    if (line.nodes[at].joint) {
-      length = std::min(length, 0.5 * way);
-      break;
-    }
-    if (way >= 2 * length) break;
-    run.emplace_back(at, way);
-  }
+  walk(line, start, forward, [&](std::size_t node, double way) {
+    const bool joint = line.nodes[node].joint;
+    if (joint) length = std::min(length, 0.5 * way);
+    if (joint || way >= 2 * length) return false;
+    run.emplace_back(node, way);
+    return true;
+  });
   const double power = std::clamp(0.9 * length / std::max(shift, 1e-300), 1.0, 2.0);
   for (const auto& [node, distance] : run) {
     if (distance < length) visit(node, std::pow(1 - distance / length, power));

@@ -51,6 +51,20 @@ struct ContactLine {
   const Node& next(std::size_t i) const { return nodes[(i + 1) % nodes.size()]; }
 };
 
+// Calls visit(node, way) for the nodes that come after `start`, or before it, with their distance from it along the
+// line in metres, until it returns false or the line ends; on a closed one `start` comes last.
+template <class Visit>
+void walk(const ContactLine& line, std::size_t start, bool forward, Visit visit) {
+  const std::size_t n = line.nodes.size();
+  double way = 0;
+  for (std::size_t at = start, k = 1; k <= n; ++k) {
+    if (!line.closed && (forward ? at + 1 == n : at == 0)) return;
+    const std::size_t next = forward ? (at + 1) % n : (at + n - 1) % n;
+    way += glm::distance(line.nodes[at].position, line.nodes[next].position);
+    if (!visit(at = next, way)) return;
+  }
+}
+
 constexpr double kFineColumn = 0.05;  // distance between columns where something changes along them, in sweep lengths
 constexpr double kAspect = 19;        // and elsewhere, in distances between layers
 

@@ -15,20 +15,6 @@ bool inward(const Node& joint) {
   return glm::dot(joint.after.direction, forward) < 0;
 }
 
-// Calls visit(node) for the nodes from joint `start` on, within `length` and before the next joint.
-template <class Visit>
-void go_from_joint(const ContactLine& line, std::size_t start, bool forward, double length, Visit visit) {
-  const std::size_t n = line.nodes.size();
-  double way = 0;
-  for (std::size_t at = start, k = 1; k < n; ++k) {
-    if (!line.closed && (forward ? at + 1 == n : at == 0)) return;
-    const std::size_t next = forward ? (at + 1) % n : (at + n - 1) % n;
-    way += glm::distance(line.nodes[at].position, line.nodes[next].position);
-    if (way > length || line.nodes[next].joint) return;
-    visit(at = next);
-  }
-}
-
 }  // namespace
 
 std::vector<double> finite_angles(const ContactLine& line, double contact_angle, double capillary_length,
@@ -43,8 +29,13 @@ std::vector<double> finite_angles(const ContactLine& line, double contact_angle,
     if (std::abs(asked) <= most) continue;
     least = std::min(least, most);
     angles[j] = std::acos(std::copysign(most, asked));
-    for (const bool forward : {false, true})
-      go_from_joint(line, j, forward, length, [&](std::size_t i) { angles[i] = angles[j]; });
+    for (const bool forward : {false, true}) {
+      walk(line, j, forward, [&](std::size_t i, double way) {
+        if (way > length || line.nodes[i].joint) return false;
+        angles[i] = angles[j];
+        return true;
+      });
+    }
   }
   if (least < std::abs(asked)) {
     std::ostringstream message;

@@ -14,7 +14,7 @@
 namespace meniscus {
 namespace {
 
-// The raised triangles in parts that share no moving vertex, each in ascending order.
+// The triangles with moving vertices in parts that share none, each in ascending order.
 std::vector<std::vector<std::uint32_t>> find_parts(const Sheet& sheet, const std::vector<ContactLine>& lines) {
   std::vector<std::uint32_t> parent(sheet.vertices.size());
   std::iota(parent.begin(), parent.end(), 0u);

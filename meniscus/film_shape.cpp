@@ -32,8 +32,7 @@ std::vector<glm::dvec3> Film::normals() const {
     const glm::dvec3 solid = glm::normalize(c.rail.before_at(c.slide));
     const glm::dvec3 along = vertices_[contacts_[c.next].vertex].x - vertices_[contacts_[c.before].vertex].x;
     const glm::dvec3 up = glm::normalize(glm::cross(solid, along));
-    const double angle = c.angle;
-    normals[c.vertex] = std::cos(angle) * solid + std::sin(angle) * up;
+    normals[c.vertex] = std::cos(c.angle) * solid + std::sin(c.angle) * up;
   }
   return normals;
 }

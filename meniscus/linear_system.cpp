@@ -20,7 +20,7 @@ struct LinearSystem::Preconditioner {
 LinearSystem::LinearSystem(const std::vector<std::uint32_t>& blocks) {
   constexpr std::size_t kWhole = 20'000;
   const bool whole = blocks.size() <= kWhole;
-  blocks_.resize(whole || blocks.empty() ? 1 : 1 + *std::max_element(blocks.begin(), blocks.end()));
+  blocks_.resize(whole ? 1 : 1 + *std::max_element(blocks.begin(), blocks.end()));
   for (std::size_t u = 0; u < blocks.size(); ++u) blocks_[whole ? 0 : blocks[u]].own.push_back(static_cast<int>(u));
 }
 

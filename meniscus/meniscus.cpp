@@ -151,9 +151,10 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
       refuse_endless(contour, bodies[s].name, raised_length(liquid));
       lines.push_back(refine(contour, s, unit, {{}, find_fineness(contour, bodies[s].contact_angle, liquid)}));
       contours.push_back(std::move(contour));
-      measure_curvature(lines.back(), kCurved * liquid.capillary_length);
+      if (!solved) continue;
       constexpr double kLeft = 5;  // capillary lengths beyond the contact line, however far it runs out
-      if (solved) reach = std::max(reach, run_out(lines.back(), bodies[s], liquid) + kLeft * liquid.capillary_length);
+      measure_curvature(lines.back(), kCurved * liquid.capillary_length);
+      reach = std::max(reach, run_out(lines.back(), bodies[s], liquid) + kLeft * liquid.capillary_length);
     }
   }
   for (ContactLine& line : lines) line.sweep = reach;

@@ -15,7 +15,7 @@ Falloff sine(double d) {
   return {1 - s, -k * c, k * k * s, k * k * k * c};
 }
 
-// Where the exact profile is solved for: the sine, over the usual sweep length, as a start.
+// Where the exact profile is solved for: the sine, over a quarter of what is raised, as a start.
 Falloff started(double d) {
   constexpr double k = kFar / 2;
   if (!(k * d < 1)) return {};
