@@ -67,7 +67,9 @@ void CreaseRow::close(std::size_t columns) {
 }
 
 void CreaseRow::keep(const BandPoint& p) {
-  if (p.other.exists() && p.foot.distance < kCreaseReach * lines_[p.foot.line].sweep) points_.push_back(p);
+  // Of wires so near each other that one's foot lies behind the other's, no circle between them is left.
+  const double distance = p.foot.distance;
+  if (p.other.exists() && distance > 0 && distance < kCreaseReach * lines_[p.foot.line].sweep) points_.push_back(p);
 }
 
 void CreaseRow::fill(const BandPoint& a, const BandPoint& b) {
