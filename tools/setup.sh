@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that Meniscal is built and run with, and with --tests also the Khronos glTF validator, which
-# tests of exported scenes use. Says and does nothing when none is missing.
+# tests of exported scenes use, and with --gallery what tools/gallery.sh composes its sheet with. Says and does nothing when none
+# is missing.
 set -euo pipefail
 
-tests=${1-}
+purpose=${1-}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 validator=$root/build/gltf_validator
 
@@ -17,7 +18,8 @@ packages=(
   libgtest-dev libbenchmark-dev
 )
 # Node may come from elsewhere than Debian.
-[[ $tests != --tests ]] || { command -v node && command -v npm; } >/dev/null || packages+=(nodejs npm)
+[[ $purpose != --tests ]] || { command -v node && command -v npm; } >/dev/null || packages+=(nodejs npm)
+[[ $purpose != --gallery ]] || packages+=(python3-pil fonts-dejavu-core)
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "tools/setup.sh: this is no Debian-like system; install what these packages hold, then run" >&2
@@ -50,7 +52,7 @@ if [[ ${#missing[@]} -gt 0 ]]; then
   apt install --yes --no-install-recommends "${missing[@]}" >&2
 fi
 
-if [[ $tests == --tests ]] && ! cmp --quiet "$root/tests/gltf_validator/package-lock.json" "$validator/node_modules/installed"; then
+if [[ $purpose == --tests ]] && ! cmp --quiet "$root/tests/gltf_validator/package-lock.json" "$validator/node_modules/installed"; then
   mkdir -p "$validator"
   cp "$root"/tests/gltf_validator/package*.json "$validator"
   if (cd "$validator" && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >&2); then

@@ -4,7 +4,7 @@ import json
 import math
 import struct
 
-FLOAT, UINT = 5126, 5125
+FLOAT, UINT, USHORT = 5126, 5125, 5123
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
 
 
@@ -26,19 +26,23 @@ def look_at(eye, target):
 class Scene:
     """Collects materials, meshes, lights and cameras; `write` makes the file."""
 
-    def __init__(self):
+    def __init__(self, short_indices=False):
+        """`short_indices`: two bytes each where a mesh has few enough vertices."""
+        self._short = short_indices
         self._bytes = bytearray()
         self._extensions = set()
         self._gltf = {"nodes": [], "materials": [], "meshes": [], "accessors": [], "bufferViews": []}
 
     def material(self, name, color=(1, 1, 1), roughness=1, metallic=0, extensions=None, emissive=None, **extras):
-        """Returns the material's index. `extensions`: name -> values, `emissive`: radiance; `extras` as in interface.md."""
+        """Returns the material's index. `extensions`: name -> values, `emissive`: radiance, or one for each colour; `extras` as in
+        interface.md."""
         material = {"name": name, "pbrMetallicRoughness": {
             "baseColorFactor": [*color, 1], "metallicFactor": metallic, "roughnessFactor": roughness}}
         extensions = dict(extensions or {})
         if emissive is not None:
-            material["emissiveFactor"] = [1, 1, 1]
-            extensions["KHR_materials_emissive_strength"] = {"emissiveStrength": emissive}
+            strength = max(emissive) if isinstance(emissive, tuple) else emissive
+            material["emissiveFactor"] = [r / strength for r in emissive] if isinstance(emissive, tuple) else [1, 1, 1]
+            extensions["KHR_materials_emissive_strength"] = {"emissiveStrength": strength}
         if extensions:
             material["extensions"] = extensions
             self._extensions.update(extensions)
@@ -49,8 +53,9 @@ class Scene:
     def mesh(self, name, mesh, material, **node):
         """Adds a mesh (positions, normals, triangles) and a node with its name; `node`: translation, rotation, scale."""
         positions, normals, triangles = mesh
+        indices = USHORT if self._short and len(positions) < 65535 else UINT
         primitive = {"attributes": {"POSITION": self._accessor(positions, FLOAT), "NORMAL": self._accessor(normals, FLOAT)},
-                     "indices": self._accessor([i for t in triangles for i in t], UINT), "material": material}
+                     "indices": self._accessor([i for t in triangles for i in t], indices), "material": material}
         self._append("nodes", {"name": name, "mesh": self._append("meshes", {"name": name, "primitives": [primitive]}), **node})
 
     def light(self, name, kind, intensity, eye, target, **values):
@@ -92,7 +97,8 @@ class Scene:
     def _accessor(self, values, component):
         vectors = component == FLOAT
         flat = [c for v in values for c in v] if vectors else values
-        packed = struct.pack(f"<{len(flat)}{'f' if vectors else 'I'}", *flat)
+        packed = struct.pack(f"<{len(flat)}{ {FLOAT: 'f', UINT: 'I', USHORT: 'H'}[component]}", *flat)
+        self._bytes += bytes(-len(self._bytes) % 4)
         view = self._append("bufferViews", {"buffer": 0, "byteOffset": len(self._bytes), "byteLength": len(packed),
                                             "target": ARRAY_BUFFER if vectors else ELEMENT_ARRAY_BUFFER})
         self._bytes += packed

@@ -6,7 +6,12 @@ import math
 import os
 import sys
 
+import figures_small
+import hairs
+from collection import collection
+from glass_of_water import glass_of_water
 from gltf_writer import Scene, rotation
+from rods import rod_end, two_rods
 from shapes import box, boxes, cup, cylinder, frame, sphere, square
 
 MM = 1e-3
@@ -14,11 +19,11 @@ CAMERA_DEPTH = 6 * MM       # below every meniscus and every stub: the camera se
 VIEW_HALF_WIDTH = 12.2 * MM  # that of the reference tables
 
 
-def add_water(scene, half_width, depth):
+def add_water(scene, half_width, depth, level=0):
     water = scene.material("water", roughness=0, meniscus_liquid="water", extensions={
         "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.333},
         "KHR_materials_volume": {"thicknessFactor": depth}})
-    scene.mesh("water", square(half_width, 0), water)
+    scene.mesh("water", square(half_width, level), water)
 
 
 def matte(scene, name, albedo, **properties):
@@ -204,10 +209,11 @@ def beaker():
     return scene
 
 
-SCENES = {"area_light": area_light, "beaker": beaker, "behind_glass": behind_glass, "box": box_scene, "flat_water": flat_water,
+SCENES = {"area_light": area_light, "beaker": beaker, "behind_glass": behind_glass, "box": box_scene, "collection": collection,
+          "flat_water": flat_water, "glass_of_water": glass_of_water,
           "materials": materials, "point_light": point_light, "post": post,
-          "post_stub": post_stub, "shadow_sausage": shadow_sausage, "sphere": sphere_scene, "spot_light": spot_light, "tank": tank,
-          "three_lights": three_lights, "two_posts": two_posts}
+          "post_stub": post_stub, "rod_end": rod_end, "shadow_sausage": shadow_sausage, "sphere": sphere_scene, "spot_light": spot_light,
+          "tank": tank, "three_lights": three_lights, "two_posts": two_posts, "two_rods": two_rods, **figures_small.SCENES, **hairs.SCENES}
 
 
 def main(names):
