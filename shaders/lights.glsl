@@ -62,14 +62,46 @@ LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key, boo
   return sample_light(index, weight, point, place);
 }
 
+// One of the lights for a surface of this normal: the likelier, the more it would give it if nothing stood between; of all lights, or of
+// LIGHT_CANDIDATES picked by power (Talbot et al., "Importance Resampling for Global Illumination", EGSR 2005).
+LightSample choose_light(vec3 point, vec3 normal, uint first, uint count, RandomKey key) {
+  uint candidates = min(count, LIGHT_CANDIDATES);
+  vec2 place = vec2(unit_float(light_bits(key, DIM_LIGHT_U)), unit_float(light_bits(key, DIM_LIGHT_V)));
+  float choice = unit_float(light_bits(key, DIM_LIGHT_SIDE)), sum = 0.0, kept = 0.0;
+  LightSample chosen;
+  for (uint i = 0u; i < candidates; ++i) {
+    uint index = i;
+    float weight = 1.0, rest;
+    if (candidates < count) {
+      index = pick(first, count, light_bits(key, DIM_LIGHT) + i * (0xFFFFFFFFu / candidates), rest, weight);
+      weight /= float(candidates);
+    }
+    LightSample s = sample_light(index, weight, point, place);
+    float given = dot(s.irradiance, vec3(1.0)) * max(dot(s.direction, normal), 0.0);
+    sum += given;
+    bool taken = i == 0u || choice * sum < given;
+    choice = taken ? choice * sum / given : (choice * sum - given) / (sum - given);
+    if (!(choice >= 0.0 && choice < 1.0)) choice = 0.0;
+    if (taken) {
+      chosen = s;
+      kept = given;
+    }
+  }
+  if (kept > 0.0) chosen.irradiance *= sum / kept;
+  return chosen;
+}
+
 // How far a shadow ray must be free, so that the emitting triangle does not shadow itself.
 float shadow_reach(LightSample s) { return s.triangle == NO_TRIANGLE ? s.distance : s.distance * (1.0 - 1e-5); }
+
+// Index + 1 of the area light that a triangle is; 0: none.
+uint light_of(uint triangle) { return FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 2u).w; }
 
 // The density, per solid angle, with which sample_lights takes the direction of a point on a triangle, at `distance` under `cosine` to the
 // triangle's normal. 0: no light.
 float area_light_pdf(uint triangle, float distance, float cosine) {
   if (!HAS_AREA) return 0.0;
-  uint light = FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 2u).w;
+  uint light = light_of(triangle);
   if (light == 0u) return 0.0;
   Light l = fetch_light(light - 1u);
   return l.probability * distance * distance / (l.area * cosine);
@@ -78,5 +110,5 @@ float area_light_pdf(uint triangle, float distance, float cosine) {
 // The same of a light sample. 0: a point or a direction, which no path meets by chance.
 float asked_pdf(LightSample s) {
   if (s.extent == 0.0) return 0.0;
-  return s.triangle == NO_TRIANGLE ? sky(s.direction).pdf : area_light_pdf(s.triangle, s.distance, abs(dot(s.normal, s.direction)));
+  return s.triangle == NO_TRIANGLE ? sky(s.direction, true).pdf : area_light_pdf(s.triangle, s.distance, abs(dot(s.normal, s.direction)));
 }

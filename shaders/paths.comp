@@ -81,7 +81,7 @@ void main() {
     inside = 0.5 + uintBitsToFloat(rest.y) * (pixel_place(random, push.sample_index) - 0.5);
     random.stream += push.sample_index;
     path = camera_path(vec2(x, y) + inside);
-    s = PixelSample(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), END_CUT, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0,
+    s = PixelSample(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), END_CUT, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0u, vec3(0.0), 0.0,
                     vec3(0.0), 0.0, vec3(0.0), 0.0);
     gloss = no_gloss();
   } else {
@@ -118,16 +118,17 @@ void main() {
   uint dimension = DIM_FIRST_BOUNCE;
   Scattering bounce = Scattering(false, false, 0.0, 1.0);  // of a bounced camera path, at the first diffuse surface
   bool straight = false;                                   // it has met nothing since
+  // Highlights are another pass': of a camera path that went through all it met, the lights that it sees at once in a meniscus.
+  bool sees_highlights = HIGHLIGHTS != HIGHLIGHTS_NONE && camera && push.bounced == 0u, in_meniscus = false;
   Face face;                                               // of the visible point
   LightSample light;
   vec3 unshadowed;
   while (end == END_CUT && met <= push.specular_bounces) {
     if (asking) {
-      light = sample_lights(point.position, light_first, push.light_count, random, !camera);
       if (camera) {
-        vec3 side = s.normal;
-        float turned = dot(side, point.geometric) < 0.0 ? -1.0 : 1.0;
-        float cosine = dot(light.direction, turned * point.shading);
+        vec3 side = s.normal, normal = dot(side, point.geometric) < 0.0 ? -point.shading : point.shading;
+        light = choose_light(point.position, normal, light_first, push.light_count, random);
+        float cosine = dot(light.direction, normal);
         unshadowed = light.irradiance * cosine;
         // Nothing will stand between: the light is in the medium that the camera path has come through.
         if (HAS_ABSORPTION && light.distance < FAR) unshadowed *= exp(-path.absorption * light.distance);
@@ -136,6 +137,7 @@ void main() {
         path.direction = light.direction;
         path.triangle = point.triangle;
       } else {
+        light = sample_lights(point.position, light_first, push.light_count, random, true);
         // The light's cosine is a factor on the flux: the paper's roulette has the same mean, but would undo the starts' stratification.
         float cosine = dot(light.direction, point.geometric);
         path = start_path(leave(point.position, cosine > 0.0 ? point.geometric : -point.geometric), light.direction, point.triangle,
@@ -177,7 +179,7 @@ void main() {
     } else if (missed) {
       end = met + scattered == 0u && !passed && !camera ? END_DROPPED : END_ESCAPED;
       if (camera && (HAS_SUNS || HAS_ENVIRONMENT)) {
-        SkySample beyond = sky(path.direction);
+        SkySample beyond = sky(path.direction, !in_meniscus);
         s.emitted += path.throughput * path.radiance_scale * beyond.radiance * seen_part(bounce, straight, beyond.pdf);
       }
     } else {
@@ -198,11 +200,12 @@ void main() {
         s.depth = hit.t;
         s.meniscus = float(point.meniscus);
       }
-      if (front || surface.double_sided != 0u) {
+      bool theirs = HIGHLIGHTS == HIGHLIGHTS_ALL && in_meniscus && light_of(point.triangle) != 0u;
+      if ((front || surface.double_sided != 0u) && !theirs) {
         float asked = HAS_GLOSS && straight ? area_light_pdf(point.triangle, hit.t, abs(dot(point.geometric, path.direction))) : 0.0;
         s.emitted += path.throughput * path.radiance_scale * surface.emission * seen_part(bounce, straight, asked);
       }
-      straight = false;
+      straight = in_meniscus = false;
     } else if (first && !on_targets && map != MAP_GLOBAL) {
       // What the light sees first may be no target.
       if (surface.specular == 0.0) {
@@ -236,7 +239,14 @@ void main() {
       }
       choice = way_number(way, choice);
       if (met < push.specular_bounces) {
+        if (HIGHLIGHTS != HIGHLIGHTS_NONE) {
+          sees_highlights = sees_highlights && shows_highlights(surface);
+          in_meniscus = sees_highlights && point.meniscus != 0u;
+          if (in_meniscus) s.highlighted = 1u;
+        }
         float reflectance = scatter_specular(path, point, surface, crossing, choice, facet);
+        if (HIGHLIGHTS != HIGHLIGHTS_NONE)
+          sees_highlights = sees_highlights && (dot(path.direction, side) < 0.0 || reflectance >= 1.0);
         if (camera && scattered == 0u && reflectance > 0.0 && reflectance < 1.0) {
           path.throughput *= way_weight(push.branch, s.split, way, reflectance);
           if (way == WAY_REFLECTED) s.emitted = vec3(0.0);

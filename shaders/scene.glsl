@@ -27,11 +27,12 @@ layout(constant_id = 10) const bool HAS_SCATTERING = true;  // paths go on from 
 layout(constant_id = 11) const bool HAS_NESTED = true;  // dielectrics lie in each other
 layout(constant_id = 12) const bool HAS_GLOSS = true;   // an outer face above a diffuse surface reflects
 layout(constant_id = 13) const bool HAS_ROUGH = true;   // rough specular surfaces
-layout(constant_id = 14) const uint SUNS = 1u;  // directional lights with an angular diameter: the first of the lights
-layout(constant_id = 15) const uint ENVIRONMENT_COLUMNS = 1u;  // of the image of all directions; 0: none. Its light is the next
-layout(constant_id = 16) const uint ENVIRONMENT_ROWS = 1u;
-layout(constant_id = 17) const uint ENVIRONMENT_FIRST = 0u;  // where the CDF of its rows begins; each row's own follow
-layout(constant_id = 18) const float ENVIRONMENT_TURN = 0.0;  // about +Y, of a full circle
+layout(constant_id = 14) const uint HIGHLIGHTS = 2u;    // HIGHLIGHTS_*
+layout(constant_id = 15) const uint SUNS = 1u;  // directional lights with an angular diameter: the first of the lights
+layout(constant_id = 16) const uint ENVIRONMENT_COLUMNS = 1u;  // of the image of all directions; 0: none. Its light is the next
+layout(constant_id = 17) const uint ENVIRONMENT_ROWS = 1u;
+layout(constant_id = 18) const uint ENVIRONMENT_FIRST = 0u;  // where the CDF of its rows begins; each row's own follow
+layout(constant_id = 19) const float ENVIRONMENT_TURN = 0.0;  // about +Y, of a full circle
 
 const bool HAS_SUNS = SUNS > 0u;
 const bool HAS_ENVIRONMENT = ENVIRONMENT_COLUMNS > 0u;

@@ -55,10 +55,10 @@ struct SkySample {
   float pdf;  // density, per solid angle, with which sample_lights takes this direction to suns or environment
 };
 
-// What a ray sees that leaves the scene.
-SkySample sky(vec3 direction) {
+// What a ray sees that leaves the scene; `suns`: these, too.
+SkySample sky(vec3 direction, bool suns) {
   SkySample s = SkySample(vec3(0.0), 0.0);
-  for (uint i = 0u; i < SUNS; ++i) {
+  for (uint i = 0u; suns && i < SUNS; ++i) {
     Light sun = fetch_light(i);
     vec3 off = direction + sun.direction;
     if (0.5 * dot(off, off) >= sun.cone_versine) continue;  // the versine between unit vectors

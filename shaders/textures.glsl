@@ -5,7 +5,7 @@
 FETCH_TABLE(BIND_TEXTURES, textures)
 FETCH_WORDS(BIND_IMAGES, images)
 
-layout(constant_id = 19) const uint TEXTURES = 31u;  // TEXTURE_* that the scene's materials have
+layout(constant_id = 20) const uint TEXTURES = 31u;  // TEXTURE_* that the scene's materials have
 
 // Texture coordinates of both sets, and how they change along a triangle's edges.
 struct TexturePlace {

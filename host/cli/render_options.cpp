@@ -152,6 +152,13 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       ->type_name("N")
       ->transform(whole(1, 1 << 16))
       ->default_str(by_quality([](Quality q) { return preset(q).samples; }));
+  command
+      .add_option("--highlight-samples", options.highlight_samples,
+                  "Rays a pixel and pass that look for lights in menisci, a square number of them; 0: no more than "
+                  "other camera rays")
+      ->type_name("N")
+      ->transform(whole(0, 1 << 16))
+      ->default_str(by_quality([](Quality q) { return preset(q).highlight_samples; }));
   add_parsed(
       command, "--pass-range", "A:B", "Only passes A <= i < B, for splitting over machines",
       [&](const std::string& name, const std::string& text) { options.pass_range = parse_pass_range(name, text); });

@@ -23,7 +23,7 @@ struct Resolution {
 enum class Quality { draft, preview, final };
 struct Preset {
   double photons_per_pixel;  // and pass
-  std::uint32_t least_photons, passes, samples;
+  std::uint32_t least_photons, passes, samples, highlight_samples;
 
   std::uint32_t photons(std::size_t pixels) const {
     return static_cast<std::uint32_t>(std::clamp(photons_per_pixel * double(pixels), double(least_photons), 1e9));
@@ -32,13 +32,13 @@ struct Preset {
 constexpr Preset preset(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {0.64, 40000, 1, 1};
+      return {0.64, 40000, 1, 1, 16};
     case Quality::preview:
-      return {1.6, 100000, 2, 2};
+      return {1.6, 100000, 2, 2, 16};
     case Quality::final:
       break;
   }
-  return {4.0, 250000, 2, 4};
+  return {4.0, 250000, 2, 4, 16};
 }
 
 struct RenderOptions {
@@ -55,6 +55,7 @@ struct RenderOptions {
   std::optional<double> time;            // of the whole process, seconds
   std::optional<double> target_error;    // estimated, relative
   std::optional<std::uint32_t> samples;  // camera rays a pixel and pass; not given: the quality's
+  std::optional<std::uint32_t> highlight_samples;  // of a pixel that sees menisci; 0: as other camera rays find them
   std::optional<PassRange> pass_range;
   std::optional<double> radius;  // of round footprints in pass 0, metres; not given: each photon has its own
   std::uint32_t diffuse_bounces = 4, specular_bounces = 16;

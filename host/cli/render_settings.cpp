@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/error.h"
+#include "host/render/highlights.h"
 #include "host/render/pilot.h"
 #include "host/render/plan.h"
 #include "host/world/media.h"
@@ -83,6 +84,11 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.
   settings.samples = options.samples.value_or(photons > settings.photons_at_once ? 1 : preset(options.quality).samples);
   if (options.integrator == Integrator::path) return settings;
+  const std::uint32_t rays = options.highlight_samples.value_or(preset(options.quality).highlight_samples);
+  if (rays > 0) {
+    settings.highlights = find_highlights(world);
+    settings.highlight_cells = static_cast<std::uint32_t>(std::max(1.0, std::round(std::sqrt(rays))));
+  }
   settings.photons = photons;
   settings.final_gathering = settings.diffuse_bounces > 0 && options.quality == Quality::final;
   set_beams(settings, options, world,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/passes/camera_view.h"
 #include "host/world/media.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/bindings.h"
@@ -18,37 +19,19 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
     layout.push_back({binding, gpu::Kind::storage});
   for (std::uint32_t binding : {BIND_BEAMS, BIND_VIEW})
     layout.push_back({binding, tables.texel ? gpu::Kind::texel : gpu::Kind::storage});
-  return {device,
-          "paths",
-          shader("paths", tables.texel),
-          layout,
-          sizeof(shared::PathPush),
-          tables.constants(
-              {.differentials = !settings.caustics.discs.round(),
-               .emission = settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0,
-               .scattering = settings.diffuse_bounces > 0,
-               .nested = !why_nested(world, settings.camera_media).empty(),
-               .gloss = world.glossy,
-               .rough = std::any_of(world.surfaces.begin(), world.surfaces.end(), shared::is_rough_specular)})};
-}
-
-shared::CameraView make_view(const RenderSettings& settings, std::uint32_t pass) {
-  const CameraAxes axes = camera_axes(settings.camera, settings.width, settings.height);
-  shared::CameraView view{};
-  view.right = glm::vec4(axes.right, 0);
-  view.up = glm::vec4(axes.up, 0);
-  view.forward = axes.forward;
-  view.origin = axes.origin;
-  view.orthographic = settings.camera.orthographic ? 1 : 0;
-  view.width = settings.width;
-  view.height = settings.height;
-  view.crop_x = settings.crop.x0;
-  view.crop_y = settings.crop.y0;
-  view.crop_width = settings.crop.width();
-  view.media = settings.camera_media;
-  view.jitter = pixel_jitter(settings, pass);
-  view.most_shift = static_cast<float>(most_shift(settings));
-  return view;
+  return {
+      device,
+      "paths",
+      shader("paths", tables.texel),
+      layout,
+      sizeof(shared::PathPush),
+      tables.constants({.differentials = !settings.caustics.discs.round(),
+                        .emission = settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0,
+                        .scattering = settings.diffuse_bounces > 0,
+                        .nested = !why_nested(world, settings.camera_media).empty(),
+                        .gloss = world.glossy,
+                        .rough = std::any_of(world.surfaces.begin(), world.surfaces.end(), shared::is_rough_specular),
+                        .highlights = settings.highlights})};
 }
 
 shared::PathPush make_push(const World& world, const RenderSettings& settings, std::uint32_t kind, std::uint32_t pass) {
@@ -111,7 +94,7 @@ void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& set
 
 void PathsPass::trace_camera(gpu::Commands& commands, const RenderSettings& settings, std::uint32_t pass,
                              const View& view) {
-  view_.upload(std::vector{make_view(settings, pass)});
+  view_.upload(std::vector{camera_view(settings, pass)});
   shared::PathPush push = make_push(world_, settings, shared::PATHS_CAMERA, pass);
   push.sample_index = view.sample;
   push.branch = view.branch;

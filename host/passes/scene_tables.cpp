@@ -109,6 +109,7 @@ std::vector<std::uint32_t> SceneTables::constants(const PathFeatures& features) 
   for (const bool feature : {features.differentials, features.emission, features.scattering, features.nested,
                              features.gloss, features.rough})
     constants.push_back(feature);
+  constants.push_back(features.highlights);
   constants.insert(constants.end(), sky_constants.begin(), sky_constants.end());
   constants.push_back(textures.kinds);
   return constants;

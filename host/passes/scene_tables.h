@@ -9,12 +9,13 @@ namespace meniscal::passes {
 
 // What paths do, beside what the scene has.
 struct PathFeatures {
-  bool differentials = false;  // they carry them
-  bool emission = false;       // photons start on the lights
-  bool scattering = false;     // they go on from diffuse surfaces
-  bool nested = false;         // they keep count of the dielectrics that they are inside of
-  bool gloss = false;          // outer faces above diffuse surfaces reflect
-  bool rough = false;          // specular surfaces are rough
+  bool differentials = false;                          // they carry them
+  bool emission = false;                               // photons start on the lights
+  bool scattering = false;                             // they go on from diffuse surfaces
+  bool nested = false;                                 // they keep count of the dielectrics that they are inside of
+  bool gloss = false;                                  // outer faces above diffuse surfaces reflect
+  bool rough = false;                                  // specular surfaces are rough
+  std::uint32_t highlights = shared::HIGHLIGHTS_NONE;  // that another pass has
 };
 
 struct SceneTables {

@@ -2,7 +2,9 @@
 
 #include "host/reference/camera.h"
 #include "host/reference/density.h"
+#include "host/reference/highlights.h"
 #include "host/reference/path_tracing.h"
+#include "host/render/highlights.h"
 
 namespace meniscal::reference {
 
@@ -33,6 +35,17 @@ Samples ReferenceBackend::trace_paths(std::uint32_t pass, const View& view) cons
       if (world_.glossy) samples.gloss.push_back(sample.gloss);
     }
   return samples;
+}
+
+std::vector<glm::vec3> ReferenceBackend::trace_highlights(std::uint32_t pass,
+                                                          const std::vector<std::uint32_t>& pixels) const {
+  const CameraAxes axes = camera_axes(settings_.camera, settings_.width, settings_.height);
+  const Crop& crop = settings_.crop;
+  std::vector<glm::vec3> highlights(crop.pixels());
+  for (const std::uint32_t i : pixels)
+    highlights[i] =
+        glm::vec3(highlight(tracer_, settings_, axes, pass, crop.x0 + i % crop.width(), crop.y0 + i / crop.width()));
+  return highlights;
 }
 
 std::vector<shared::PixelSample> ReferenceBackend::trace_camera(std::uint32_t pass, const View& view) {
@@ -109,6 +122,7 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
   const PhotonMap caustics_map = make_map(caustics, settings_.caustics, pass);
   const PhotonMap global_map = make_map(global, settings_.global, pass);
   Samples before;
+  HighlightPixels seeing(settings_.crop);
   for (const View& view : views_of(settings_)) {
     Samples samples = trace_paths(pass, view);
     for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
@@ -119,6 +133,9 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
       else
         light(samples.pixels[i], gloss, view, caustics_map, global_map);
     }
+    if (view.main()) seeing.add(samples.pixels);
+    if (settings_.highlights != shared::HIGHLIGHTS_NONE && view.last_main(settings_))
+      samples.highlights = trace_highlights(pass, seeing.pixels());
     take(samples, view);
     before = std::move(samples);
   }

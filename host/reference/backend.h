@@ -21,6 +21,7 @@ class ReferenceBackend final : public Backend {
  private:
   std::vector<Photon> photons(std::uint32_t pass, bool global) const;
   Samples trace_paths(std::uint32_t pass, const View& view) const;
+  std::vector<glm::vec3> trace_highlights(std::uint32_t pass, const std::vector<std::uint32_t>& pixels) const;
   PhotonMap make_map(const std::vector<Photon>& photons, const PhotonSet& set, std::uint32_t pass) const;
   // Adds the maps' light to a sample; `gloss`: none where no outer face reflects.
   void light(shared::PixelSample& sample, shared::PixelGloss* gloss, const View& view, const PhotonMap& caustics,

@@ -30,7 +30,7 @@ Direct ask_lights(const Tracer& tracer, const DiffusePoint& point, const glm::dv
   Direct direct;
   const World& world = tracer.world();
   if (world.lights.empty()) return direct;
-  const LightSample light = sample_lights(world, world.light_first, point.hit.point, key, false);
+  const LightSample light = choose_light(world, point.hit.point, point.shading, key);
   const double cosine = glm::dot(light.direction, point.shading);
   if (cosine <= 0 || glm::dot(light.direction, point.side) <= 0 || light.irradiance == glm::dvec3(0)) return direct;
   if (!visible(tracer, point.hit.point, point.hit.triangle, point.side, light)) return direct;
@@ -87,6 +87,9 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
   Scattering bounce{.goes_on = view.bounced};  // at the first diffuse surface of a bounced view
   bool bounced = false, first = true;
   bool straight = false;  // nothing was met since the bounce
+  // Highlights are another pass': of a path that went through all it met, the lights that it sees at once in a
+  // meniscus.
+  bool sees_highlights = settings.highlights != shared::HIGHLIGHTS_NONE && !view.bounced, in_meniscus = false;
   // Of what a bounced path sees at once of a light, the surface that it left has asked it itself.
   const auto part = [&](double asked_pdf) {
     if (!view.bounced) return 1.0;
@@ -96,7 +99,7 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
     auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) {
       sample.triangle = shared::END_ESCAPED;
-      const SkySample beyond = sky(world, path.ray.direction);
+      const SkySample beyond = sky(world, path.ray.direction, !in_meniscus);
       emitted += path.throughput * path.radiance_scale * beyond.radiance * part(beyond.pdf);
       break;
     }
@@ -111,11 +114,12 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
       first = false;
     }
     const glm::dvec3 throughput = path.throughput * path.radiance_scale;
-    if (front || surface.double_sided)
+    const bool theirs = in_meniscus && triangle.light > 0 && settings.highlights == shared::HIGHLIGHTS_ALL;
+    if ((front || surface.double_sided) && !theirs)
       emitted += throughput * glm::dvec3(surface.emission) *
                  part(area_light_pdf(world, hit->triangle, hit->t,
                                      std::abs(glm::dot(triangle.geometric, path.ray.direction))));
-    straight = false;
+    straight = in_meniscus = false;
     if (pass_straight(path, *hit, tracer)) continue;
     const bool own_way = bounced;  // by roulette
     const double random = number(dimension), coin = number(dimension + 1);
@@ -130,9 +134,14 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
                                               : meets_specular(path, *hit, surface, random);
     if (specular) {
       if (met++ == settings.specular_bounces) break;
+      sees_highlights = sees_highlights && shared::shows_highlights(surface);
+      in_meniscus = sees_highlights && triangle.meniscus;
+      if (in_meniscus) sample.highlighted = 1;
       const std::uint32_t way = shared::branch_way(branch, split, static_cast<float>(coin));
       const double choice = double(shared::way_number(way, static_cast<float>(coin)));
       const double reflectance = scatter_specular(path, *hit, surface, tracer, choice, facet);
+      const bool through = (glm::dot(path.ray.direction, triangle.geometric) < 0) == front;
+      sees_highlights = sees_highlights && (through || reflectance >= 1);
       if (!own_way && reflectance > 0 && reflectance < 1) {
         path.throughput *= double(shared::way_weight(branch, split, way, static_cast<float>(reflectance)));
         sample.split = shared::next_split(branch, split, way);

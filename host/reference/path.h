@@ -76,6 +76,12 @@ LightSample sample_light(const World& world, std::uint32_t light, double weight,
 LightSample sample_lights(const World& world, std::uint32_t first, const glm::dvec3& point,
                           const shared::RandomKey& key, bool stratified);
 
+// One of the lights for a surface of this normal: the likelier, the more it would give it if nothing stood between; of
+// all lights, or of shared::LIGHT_CANDIDATES picked by power (Talbot et al., "Importance Resampling for Global
+// Illumination", EGSR 2005).
+LightSample choose_light(const World& world, const glm::dvec3& point, const glm::dvec3& normal,
+                         const shared::RandomKey& key);
+
 // The density, per solid angle, with which sample_lights takes the direction of a point on a triangle, at `distance`
 // under `cosine` to the triangle's normal. 0: no light.
 double area_light_pdf(const World& world, std::uint32_t triangle, double distance, double cosine);

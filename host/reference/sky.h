@@ -24,7 +24,7 @@ struct SkySample {
   double pdf;  // density, per solid angle, with which sample_lights takes this direction to suns or environment
 };
 
-// What a ray sees that leaves the scene.
-SkySample sky(const World& world, const glm::dvec3& direction);
+// What a ray sees that leaves the scene; `suns`: these, too.
+SkySample sky(const World& world, const glm::dvec3& direction, bool suns = true);
 
 }  // namespace meniscal::reference

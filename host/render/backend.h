@@ -73,6 +73,8 @@ struct View {
 
   // The path whose depth, normal and so on are the pixel's.
   bool main() const { return !bounced && branch != shared::BRANCH_REFLECTED && branch != shared::BRANCH_LATER; }
+  // After it, all main paths of the pass are there.
+  bool last_main(const RenderSettings& settings) const { return main() && sample + 1 == settings.samples; }
 };
 inline std::vector<View> views_of(const RenderSettings& settings) {
   std::vector<View> views;
@@ -110,6 +112,8 @@ inline bool keeps_irradiance(const RenderSettings& settings, const View& view) {
 struct Samples {
   std::vector<shared::PixelSample> pixels;
   std::vector<shared::PixelGloss> gloss;  // none where the scene has no outer face that reflects
+  // With those of the last main view: radiance of lights seen in menisci, of the whole pass; none without highlights.
+  std::vector<glm::vec3> highlights;
 };
 using TakeSamples = std::function<void(const Samples&, const View&)>;
 

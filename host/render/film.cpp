@@ -45,7 +45,7 @@ glm::dvec3 global(const Seen& s, double scale) {
 struct Aov {
   std::string name;
   std::vector<std::string> channels;
-  std::function<glm::dvec3(const Seen&, const MapScale&)> value;
+  std::function<glm::dvec3(const Seen&, const MapScale&)> value;  // null: it is no sum over samples
   bool radiance = false;  // adds up over the paths that a pixel's path is split into; the others are of the main one
 };
 
@@ -57,6 +57,7 @@ const std::vector<Aov>& all_aovs() {
       {"targeted", rgb, [](const Seen& s, const MapScale& m) { return targeted(s, m.targeted); }, true},
       {"caustic", rgb, [](const Seen& s, const MapScale& m) { return caustic(s, m.caustic); }, true},
       {"global", rgb, [](const Seen& s, const MapScale& m) { return global(s, m.global); }, true},
+      {"highlight", rgb, nullptr},
       {"irradiance", rgb,
        [](const Seen& s, const MapScale& m) {
          return glm::dvec3(s.pixel.direct) + glm::dvec3(s.pixel.targeted) * m.targeted +
@@ -72,7 +73,7 @@ const std::vector<Aov>& all_aovs() {
        [](const Seen& s, const MapScale&) {
          return glm::dvec3(double(s.pixel.targeted_count + s.pixel.caustic_count + s.pixel.global_count));
        }},
-      {"variance", rgb, [](const Seen&, const MapScale&) { return glm::dvec3(0); }},
+      {"variance", rgb, nullptr},
   };
   return aovs;
 }
@@ -115,16 +116,26 @@ void Film::add(const Samples& samples, const View& view) {
     pass_[i] += glm::dvec3(s.pixel.emitted) + direct(s) + targeted(s, scale_.targeted) + caustic(s, scale_.caustic) +
                 global(s, scale_.global);
   }
+  if (!samples.highlights.empty()) add_highlights(samples.highlights);
   for (Sum& sum : aovs_) {
     const auto aov =
         std::find_if(all_aovs().begin(), all_aovs().end(), [&](const Aov& a) { return a.name == sum.name; });
-    if (!view.main() && !aov->radiance) continue;
+    if (!aov->value || (!view.main() && !aov->radiance)) continue;
     const std::size_t channels = sum.channels.size();
     for (std::size_t i = 0; i < pixels; ++i) {
       glm::dvec3 value = aov->value(seen(samples, i), scale_);
       if (sum.name == "position" && samples.pixels[i].triangle < shared::END_FIRST) value += origin_;
       for (std::size_t c = 0; c < channels; ++c) sum.values[i * channels + c] += value[static_cast<int>(c)];
     }
+  }
+}
+
+void Film::add_highlights(const std::vector<glm::vec3>& highlights) {
+  const auto layer = std::find_if(aovs_.begin(), aovs_.end(), [](const Sum& s) { return s.name == "highlight"; });
+  for (std::size_t i = 0; i < highlights.size(); ++i) {
+    const glm::dvec3 sum = double(pass_samples_) * glm::dvec3(highlights[i]);
+    pass_[i] += sum;
+    for (int c = 0; c < 3 && layer != aovs_.end(); ++c) layer->values[3 * i + static_cast<std::size_t>(c)] += sum[c];
   }
 }
 

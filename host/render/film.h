@@ -50,6 +50,7 @@ class Film {
     std::vector<double> values;  // over all samples
   };
   void add_bounced(const Samples& samples);
+  void add_highlights(const std::vector<glm::vec3>& highlights);
 
   Crop crop_;
   MapScale scale_;

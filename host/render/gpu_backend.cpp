@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "host/passes/gather.h"
+#include "host/passes/highlights.h"
 #include "host/passes/paths.h"
+#include "host/render/highlights.h"
 #include "host/stopwatch.h"
 
 namespace meniscal {
@@ -50,7 +52,8 @@ struct GpuBackend::Passes {
   passes::PhotonBuffers photons;
   std::optional<passes::PhotonBuffers> global_photons;
   passes::PathsPass paths;
-  std::optional<Map> caustics, global;  // none without photons
+  std::optional<Map> caustics, global;               // none without photons
+  std::optional<passes::HighlightsPass> highlights;  // made once a pixel sees a meniscus
 
   Passes(gpu::Device d, const World& w, RenderSettings s, bool allow_texel)
       : device(std::move(d)),
@@ -93,7 +96,7 @@ struct GpuBackend::Passes {
   }
   std::vector<shared::PixelSample> pixels() const { return download<shared::PixelSample>(&passes::PixelTile::samples); }
   Samples samples() const {
-    Samples samples{pixels(), {}};
+    Samples samples{pixels(), {}, {}};
     if (world.glossy) samples.gloss = download<shared::PixelGloss>(&passes::PixelTile::gloss);
     return samples;
   }
@@ -139,6 +142,15 @@ struct GpuBackend::Passes {
     if (global && shows_global(settings, view)) light(*global, photon_pass, global_lobe_part(view), tallies);
     return samples();
   }
+  std::vector<glm::vec3> trace_highlights(std::uint32_t pass, const std::vector<std::uint32_t>& pixels) {
+    if (pixels.empty()) return {};
+    if (!highlights) {
+      const Stopwatch compiling;
+      highlights.emplace(device, world, tables, settings);
+      compile_seconds += compiling.seconds();
+    }
+    return highlights->run(commands, settings, pass, pixels);
+  }
   void forget_photons() {
     for (std::optional<Map>* map : {&caustics, &global})
       if (*map) (*map)->grids = 0;
@@ -180,7 +192,13 @@ Tallies GpuBackend::render_pass(std::uint32_t pass, const TakeSamples& take) {
   Passes& p = *passes_;
   Tallies tallies = p.no_tallies();
   p.forget_photons();
-  for (const View& view : views_of(p.settings)) take(p.light_camera(pass, view, pass, tallies), view);
+  HighlightPixels seeing(p.settings.crop);
+  for (const View& view : views_of(p.settings)) {
+    Samples samples = p.light_camera(pass, view, pass, tallies);
+    if (view.main()) seeing.add(samples.pixels);
+    if (view.last_main(p.settings)) samples.highlights = p.trace_highlights(pass, seeing.pixels());
+    take(samples, view);
+  }
   p.tables.collect_counters();
   return tallies;
 }

@@ -42,6 +42,8 @@ void describe_settings(Image& image, const Scene& scene, const RenderSettings& s
   image.numbers["seed"] = settings.seed;
   image.numbers["photonsPerPass"] = settings.photons;
   image.numbers["samplesPerPass"] = settings.samples;
+  if (settings.highlights != shared::HIGHLIGHTS_NONE)
+    image.numbers["highlightSamples"] = settings.highlight_cells * settings.highlight_cells;
   image.numbers["specularBounces"] = settings.specular_bounces;
   image.numbers["diffuseBounces"] = settings.diffuse_bounces;
   if (!settings.caustics.beams.empty()) image.numbers["radius"] = disc_radius(settings, 0);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "host/render/highlights.h"
 #include "host/world/media.h"
 #include "shaders/shared/material.h"
 
@@ -41,6 +42,9 @@ Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uve
     if (entry.on && world.lights.empty()) entry = {entry.feature, false, "no light"};
     plan.push_back(entry);
   }
+  const bool highlights = find_highlights(world) != shared::HIGHLIGHTS_NONE;
+  plan.push_back({"highlights", highlights,
+                  highlights ? "lights that may be seen in menisci" : "no menisci, or no light to be seen in them"});
   plan.push_back({"interreflection", diffuse_bounces > 0 && !world.lights.empty(),
                   world.lights.empty() ? "no light" : fmt::format("{} diffuse bounces", diffuse_bounces)});
   using shared::Light;

@@ -24,4 +24,8 @@
 #define BIND_ARRIVALS 15  // uint[], see pack_direction
 #define BIND_GLOSS 16     // PixelGloss[]
 
+// Of shaders/highlights.comp, which has BIND_VIEW, too.
+#define BIND_LISTED 10      // uint[]: pixels of the crop
+#define BIND_HIGHLIGHTS 11  // vec4[]: radiance
+
 #endif

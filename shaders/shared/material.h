@@ -35,6 +35,12 @@ SHARED bool is_glossy(Surface s) {
   return reflects && (s.kind == SPECULAR_MIRROR ? below : s.alpha > 0.0f && s.specular < 1.0f);
 }
 
+// Whether highlights are seen in it, and menisci through it: smooth, and what it reflects or lets through is all that it does.
+SHARED bool shows_highlights(Surface s) {
+  if (s.kind == SPECULAR_MIRROR) return s.albedo.x + s.albedo.y + s.albedo.z == 0.0f;
+  return s.specular > 0.0f && s.alpha == 0.0f;
+}
+
 // Whether it bends what it lets through by microfacets.
 SHARED bool is_rough_specular(Surface s) {
   return s.alpha > 0.0f && (s.kind == SPECULAR_DIELECTRIC || s.kind == SPECULAR_THIN);

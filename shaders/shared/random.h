@@ -18,6 +18,7 @@ const uint DIM_FIRST_FACET = 0x20000u;
 const uint STREAM_BEAM = 1u;             // of the i-th beam: STREAM_BEAM + i
 const uint STREAM_GLOBAL = 0x40000000u;  // the same for the global map
 const uint STREAM_CAMERA = 0x80000000u;  // of the i-th sample of a pixel and pass: STREAM_CAMERA + i
+const uint STREAM_HIGHLIGHTS = 0xC0000000u;  // of a pixel; its i-th cell takes the dimensions 2 i and 2 i + 1
 
 // Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020: pcg4d.
 SHARED uvec4 pcg4d(uvec4 v) {
@@ -51,6 +52,16 @@ SHARED float random_unit(RandomKey key, uint dimension) { return unit_float(rand
 // sample 0.
 SHARED vec2 pixel_place(RandomKey key, uint i) {
   return vec2(unit_float(random_bits(key, 0u) + 3242174889u * i), unit_float(random_bits(key, 1u) + 2447445414u * i));
+}
+
+// Numbers that choose a light and a point on it. Those of a pixel's samples in a pass are spread evenly, too: each by the multiples of an
+// irrational number, shifted at random (the golden ratio; the R3 sequence, Roberts 2018).
+SHARED uint light_bits(RandomKey key, uint dimension) {
+  if (key.stream < STREAM_CAMERA) return random_bits(key, dimension);
+  uint step = dimension == DIM_LIGHT || dimension == DIM_LIGHT_SIDE ? 2654435769u : dimension == DIM_LIGHT_U ? 2882110344u : 2360945575u;
+  uint sample_index = key.stream - STREAM_CAMERA;
+  key.stream = STREAM_CAMERA;
+  return random_bits(key, dimension) + step * sample_index;
 }
 
 SHARED uint reverse_bits(uint x) {

@@ -35,6 +35,9 @@ SHARED uint medium_of(uint rank, uint surface) { return (rank << MEDIUM_SURFACE_
 const uint LIGHT_DIRECTIONAL = 0u, LIGHT_POINT = 1u, LIGHT_SPOT = 2u, LIGHT_AREA = 3u,
            LIGHT_ENVIRONMENT = 4u;
 
+// Of so many, picked by power, a surface that the camera sees asks the one that would give it most, or nearly so.
+const uint LIGHT_CANDIDATES = 8u;
+
 struct Light {
   vec3 position;      // area: first corner
   uint type;          // LIGHT_*
@@ -130,7 +133,7 @@ struct PixelSample {
   vec3 emitted;  // radiance that reaches the camera from light-emitting surfaces
   uint lit;      // 1: the maps' irradiances are those of the sample before, at the same place
   vec3 direct;  // irradiance from the lights
-  float pad2;
+  uint highlighted;  // 1: the path met a meniscus, and lights that it saw there at once are left to the highlights' pass
   vec3 targeted;         // irradiance from the targeted map
   float targeted_count;  // photons found
   vec3 caustic;          // irradiance from the caustic map
@@ -178,6 +181,18 @@ struct PathPush {
   uint keeps_specular;      // photons that start on lights: those that meet a specular surface first count, too
   float shrink;             // of the beams' reaches in this pass
   float narrowest, widest;  // bounds of a disc's half-widths, m; equal: all discs are round
+};
+
+// Highlights, lights that pixels see in menisci: which of the lights have them. Others are left to camera paths.
+const uint HIGHLIGHTS_NONE = 0u, HIGHLIGHTS_NO_AREAS = 1u, HIGHLIGHTS_ALL = 2u;
+
+struct HighlightPush {
+  uint seed, pass;
+  uint count;  // of this dispatch's pixels
+  uint first;  // of its invocation 0 in the list
+  uint cells;       // of a pixel, along each side
+  uint first_cell;  // of this dispatch's, HIGHLIGHT_ROUND at the most
+  uint light_count, specular_bounces;
 };
 
 struct CameraView {
@@ -233,6 +248,8 @@ const uint GRID_LEVELS = 8u;
 
 // Candidates a pixel tests in one dispatch: lavapipe stops a shader's loops at about 65,535 iterations.
 const uint GATHER_ROUND = 32768u;
+// Cells of a pixel that look for highlights in one dispatch: the same limit holds for the sum of all loops' iterations.
+const uint HIGHLIGHT_ROUND = 8u;
 // Steps of one ray through the BVH; more count as an error, never pass silently.
 const uint TRAVERSAL_LIMIT = 4096u;
 

@@ -32,7 +32,7 @@ class FakeBackend final : public Backend {
     for (shared::PixelSample& s : samples) {
       s.emitted = glm::vec3(1 + (random_() % 2 == 0 ? spread : -spread));
     }
-    take({std::move(samples), {}}, {});
+    take({std::move(samples), {}, {}}, {});
     return {};
   }
   std::vector<PhotonEnd> trace_photons(std::uint32_t) override { return {}; }
