@@ -6,6 +6,7 @@
 #include "lights.glsl"
 #include "camera.glsl"
 #include "lens.glsl"
+#include "shared/branches.h"
 
 layout(push_constant) uniform Push { HighlightPush push; };
 layout(set = 0, binding = BIND_LISTED, std430) readonly buffer Listed { uint listed[]; };  // pixels of the crop
@@ -33,7 +34,6 @@ vec3 shine(Path path, vec2 place, vec3 side) {
 
 // The same from a camera ray on: through all it meets.
 vec3 cell_highlight(Path path, vec2 place) {
-  const float surely = 0.99999994;
   vec3 sum = vec3(0.0);
   for (uint met = 0u; met <= push.specular_bounces;) {
     Hit hit = intersect(path.origin, path.direction, FAR, path.triangle, false);
@@ -57,10 +57,10 @@ vec3 cell_highlight(Path path, vec2 place) {
     Path arrived = path;
     float reflectance = 1.0;
     // First through, where any light goes, then reflected, where only some is.
-    for (uint way = 0u; way < 2u; ++way) {
+    for (uint way = WAY_THROUGH; way <= WAY_REFLECTED; ++way) {
       Path next = arrived;
-      float part = scatter_specular(next, point, surface, crossing, way == 0u ? surely : 0.0, vec2(0.0));
-      if (way == 0u) {
+      float part = scatter_specular(next, point, surface, crossing, way_number(way, 0.0), vec2(0.0));
+      if (way == WAY_THROUGH) {
         reflectance = part;
         if (reflectance < 1.0) next.throughput *= 1.0 - reflectance;
         path = next;

@@ -73,6 +73,7 @@ Shining see_area(Path path, vec2 place, Light light) {
 Shining see_disc(Path path, vec2 place, Light light, uint index) {
   const float certainly = 1.0;
   bool sun = index < SUNS;
+  if (sun && light.cone_versine > MOST_VERSINE) return NO_SHINING;
   LightSample towards = sample_light(index, certainly, path.origin, vec2(0.0));
   if (sun) towards.direction = -light.direction;
   bool distant = towards.distance >= FAR;

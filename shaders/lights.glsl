@@ -50,16 +50,13 @@ LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
   return s;
 }
 
-// One of the lights, by the CDF that begins at `first`. `stratified`: light and point by the sequence that the start is of, in its third
-// and fourth dimensions; else at random.
-LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key, bool stratified) {
-  uvec2 bits = uvec2(random_bits(key, DIM_LIGHT), 0u);
-  if (HAS_EXTENDED && stratified) bits = sobol_point_beyond(key);
+// One of the lights, by the CDF that begins at `first`, for a photon: light and point by the sequence that its start is of, in the third
+// and fourth dimensions.
+LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key) {
+  uvec2 bits = HAS_EXTENDED ? sobol_point_beyond(key) : uvec2(random_bits(key, DIM_LIGHT), 0u);
   float rest, weight;
   uint index = pick(first, count, bits.x, rest, weight);
-  vec2 place = vec2(rest, unit_float(bits.y));
-  if (HAS_EXTENDED && !stratified) place = vec2(random_unit(key, DIM_LIGHT_U), random_unit(key, DIM_LIGHT_V));
-  return sample_light(index, weight, point, place);
+  return sample_light(index, weight, point, vec2(rest, unit_float(bits.y)));
 }
 
 // One of the lights for a surface of this normal: the likelier, the more it would give it if nothing stood between; of all lights, or of
@@ -78,10 +75,11 @@ LightSample choose_light(vec3 point, vec3 normal, uint first, uint count, Random
     }
     LightSample s = sample_light(index, weight, point, place);
     float given = dot(s.irradiance, vec3(1.0)) * max(dot(s.direction, normal), 0.0);
+    if (i == 0u) chosen = s;
+    if (!(given > 0.0)) continue;
     sum += given;
-    bool taken = i == 0u || choice * sum < given;
-    choice = taken ? choice * sum / given : (choice * sum - given) / (sum - given);
-    if (!(choice >= 0.0 && choice < 1.0)) choice = 0.0;
+    bool taken = choice * sum < given;
+    choice = clamp(taken ? choice * sum / given : (choice * sum - given) / (sum - given), 0.0, 1.0);
     if (taken) {
       chosen = s;
       kept = given;
@@ -97,8 +95,8 @@ float shadow_reach(LightSample s) { return s.triangle == NO_TRIANGLE ? s.distanc
 // Index + 1 of the area light that a triangle is; 0: none.
 uint light_of(uint triangle) { return FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 2u).w; }
 
-// The density, per solid angle, with which sample_lights takes the direction of a point on a triangle, at `distance` under `cosine` to the
-// triangle's normal. 0: no light.
+// The density, per solid angle, with which a light picked by power gives the direction of a point on a triangle, at `distance` under
+// `cosine` to the triangle's normal. 0: no light. Shares out what both shadow rays and lobes find: any function would do that both know.
 float area_light_pdf(uint triangle, float distance, float cosine) {
   if (!HAS_AREA) return 0.0;
   uint light = light_of(triangle);
@@ -110,5 +108,5 @@ float area_light_pdf(uint triangle, float distance, float cosine) {
 // The same of a light sample. 0: a point or a direction, which no path meets by chance.
 float asked_pdf(LightSample s) {
   if (s.extent == 0.0) return 0.0;
-  return s.triangle == NO_TRIANGLE ? sky(s.direction, true).pdf : area_light_pdf(s.triangle, s.distance, abs(dot(s.normal, s.direction)));
+  return s.triangle == NO_TRIANGLE ? sky(s.direction, false).pdf : area_light_pdf(s.triangle, s.distance, abs(dot(s.normal, s.direction)));
 }

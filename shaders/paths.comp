@@ -137,7 +137,7 @@ void main() {
         path.direction = light.direction;
         path.triangle = point.triangle;
       } else {
-        light = sample_lights(point.position, light_first, push.light_count, random, true);
+        light = sample_lights(point.position, light_first, push.light_count, random);
         // The light's cosine is a factor on the flux: the paper's roulette has the same mean, but would undo the starts' stratification.
         float cosine = dot(light.direction, point.geometric);
         path = start_path(leave(point.position, cosine > 0.0 ? point.geometric : -point.geometric), light.direction, point.triangle,
@@ -179,7 +179,7 @@ void main() {
     } else if (missed) {
       end = met + scattered == 0u && !passed && !camera ? END_DROPPED : END_ESCAPED;
       if (camera && (HAS_SUNS || HAS_ENVIRONMENT)) {
-        SkySample beyond = sky(path.direction, !in_meniscus);
+        SkySample beyond = sky(path.direction, in_meniscus);
         s.emitted += path.throughput * path.radiance_scale * beyond.radiance * seen_part(bounce, straight, beyond.pdf);
       }
     } else {

@@ -1,6 +1,7 @@
 // What lies beyond the scene: suns (directional lights with an angular diameter) and the environment, an image of all directions. Lights to
 // be sampled, and what rays that leave the scene see.
 #include "optics.glsl"
+#include "shared/highlights.h"
 
 FETCH_TABLE(BIND_ENVIRONMENT, environment)
 
@@ -52,14 +53,15 @@ DistantSample sample_distant(Light light, vec2 place) {
 
 struct SkySample {
   vec3 radiance;
-  float pdf;  // density, per solid angle, with which sample_lights takes this direction to suns or environment
+  float pdf;  // density, per solid angle, with which a light picked by power gives this direction (see area_light_pdf)
 };
 
-// What a ray sees that leaves the scene; `suns`: these, too.
-SkySample sky(vec3 direction, bool suns) {
+// What a ray sees that leaves the scene; `in_meniscus`: but for suns that highlights show.
+SkySample sky(vec3 direction, bool in_meniscus) {
   SkySample s = SkySample(vec3(0.0), 0.0);
-  for (uint i = 0u; suns && i < SUNS; ++i) {
+  for (uint i = 0u; i < SUNS; ++i) {
     Light sun = fetch_light(i);
+    if (in_meniscus && sun.cone_versine <= MOST_VERSINE) continue;
     vec3 off = direction + sun.direction;
     if (0.5 * dot(off, off) >= sun.cone_versine) continue;  // the versine between unit vectors
     s.radiance += sun.intensity / sun_solid_angle(sun);

@@ -154,7 +154,7 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       ->default_str(by_quality([](Quality q) { return preset(q).samples; }));
   command
       .add_option("--highlight-samples", options.highlight_samples,
-                  "Rays a pixel and pass that look for lights in menisci, a square number of them; 0: no more than "
+                  "Rays a pixel and pass that look for lights in menisci, rounded to a square number; 0: no more than "
                   "other camera rays")
       ->type_name("N")
       ->transform(whole(0, 1 << 16))

@@ -48,8 +48,9 @@ Budgets default_budgets(const RenderSettings& settings) {
 
 // Interreflection is smooth: discs hold some two hundred photons where these are spread over the scene evenly. Fewer
 // where they are gathered from, which evens out noise, but not what discs lose beyond the edges of surfaces. Of more
-// photons, discs hold more and are smaller: so noise and blur fall alike.
-void set_global(RenderSettings& settings, const World& world, std::uint32_t photons) {
+// photons, discs hold more and are smaller: so noise and blur fall alike. Where the camera sees photons crowded, discs
+// are smaller by `narrowing`: there are enough, and to gather more of them costs time and detail.
+void set_global(RenderSettings& settings, const World& world, std::uint32_t photons, double narrowing = 1) {
   if (photons == 0) return;
   settings.global.scatterings = settings.diffuse_bounces - (settings.final_gathering ? 1 : 0);
   settings.global.keeps_caustics = settings.final_gathering;
@@ -57,7 +58,7 @@ void set_global(RenderSettings& settings, const World& world, std::uint32_t phot
   if (settings.global.beams.empty()) return;
   const double usual = default_budgets(settings).global, more = settings.global.count() / usual;
   const double held = (settings.final_gathering ? 20 : 200) * std::pow(more, 2.0 / 3);
-  const double radius = world.radius * std::sqrt(held / settings.global.count());
+  const double radius = narrowing * world.radius * std::sqrt(held / settings.global.count());
   settings.global.discs = {radius, radius};
 }
 
@@ -86,7 +87,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   if (options.integrator == Integrator::path) return settings;
   const std::uint32_t rays = options.highlight_samples.value_or(preset(options.quality).highlight_samples);
   if (rays > 0) {
-    settings.highlights = find_highlights(world);
+    settings.highlights = find_highlights(world).lights;
     settings.highlight_cells = static_cast<std::uint32_t>(std::max(1.0, std::round(std::sqrt(rays))));
   }
   settings.photons = photons;
@@ -107,9 +108,13 @@ void focus(RenderSettings& settings, const RenderOptions& options, const World& 
   if (settings.integrator != Integrator::targeted) return;
   const Pilot pilot = look_ahead(backend, world, settings);
   settings.split = pilot.split;
-  const Budgets budgets = share_photons({settings.photons, settings.global.count()}, pilot.noise);
+  // In the mean, discs may hold eight times what they would of photons spread evenly: dim places then have some, too.
+  const double narrowing = std::sqrt(1 / std::max(pilot.crowding / 8, 1.0));
+  MapNoise noise = pilot.noise;
+  noise.global /= narrowing * narrowing;
+  const Budgets budgets = share_photons({settings.photons, settings.global.count()}, noise);
   set_beams(settings, options, world, make_beams(world, pilot.starts, budgets.caustics));
-  if (budgets.global != settings.global.count()) set_global(settings, world, budgets.global);
+  set_global(settings, world, budgets.global, narrowing);
   backend.configure(settings);
 }
 

@@ -28,9 +28,10 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
 
 }  // namespace
 
-HighlightsPass::HighlightsPass(const gpu::Device& device, const World& world, const SceneTables& tables,
+HighlightsPass::HighlightsPass(const gpu::Device& device, const World& world, SceneTables& tables,
                                const RenderSettings& settings)
-    : capacity_(static_cast<std::uint32_t>(std::min(settings.crop.pixels(), most_tile_pixels))),
+    : tables_(tables),
+      capacity_(static_cast<std::uint32_t>(std::min(settings.crop.pixels(), most_tile_pixels))),
       lights_(static_cast<std::uint32_t>(world.lights.size())),
       listed_(device, "highlight pixels", capacity_ * sizeof(std::uint32_t)),
       highlights_(device, "highlights", capacity_ * sizeof(glm::vec4)),
@@ -59,12 +60,14 @@ std::vector<glm::vec3> HighlightsPass::run(gpu::Commands& commands, const Render
     const std::vector<std::uint32_t> part(pixels.begin() + static_cast<std::ptrdiff_t>(done),
                                           pixels.begin() + static_cast<std::ptrdiff_t>(done + count));
     listed_.upload(part);
-    for (push.first_cell = 0; push.first_cell < push.cells * push.cells; push.first_cell += shared::HIGHLIGHT_ROUND)
+    for (push.first_cell = 0; push.first_cell < push.cells * push.cells; push.first_cell += shared::HIGHLIGHT_ROUND) {
       batch_.run(commands, static_cast<std::uint32_t>(count), [&](std::uint32_t first, std::uint32_t now) {
         push.first = first;
         push.count = now;
         commands.dispatch(pass_, buffers_, push, groups_of_64(now));
       });
+      tables_.collect_counters();
+    }
     const auto found = highlights_.download<glm::vec4>(0, count);
     for (std::size_t i = 0; i < count; ++i) all[part[i]] = glm::vec3(found[i]);
     done += count;

@@ -99,7 +99,7 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
     auto hit = tracer.closest(path.ray, std::numeric_limits<double>::infinity(), path.triangle);
     if (!hit) {
       sample.triangle = shared::END_ESCAPED;
-      const SkySample beyond = sky(world, path.ray.direction, !in_meniscus);
+      const SkySample beyond = sky(world, path.ray.direction, in_meniscus);
       emitted += path.throughput * path.radiance_scale * beyond.radiance * part(beyond.pdf);
       break;
     }

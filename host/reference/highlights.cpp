@@ -7,6 +7,7 @@
 
 #include "host/reference/coverage.h"
 #include "host/reference/materials.h"
+#include "shaders/shared/branches.h"
 #include "shaders/shared/highlights.h"
 #include "shaders/shared/material.h"
 
@@ -92,6 +93,7 @@ Shining see_disc(const Path& path, const glm::dvec2& place, const World& world, 
   const shared::Light& light = world.lights[index];
   const bool sun = index < world.suns;
   Shining s;
+  if (sun && light.cone_versine > shared::MOST_VERSINE) return s;
   s.towards = sample_light(world, index, certainly, path.ray.origin, glm::dvec2(0));
   if (sun) s.towards.direction = -glm::normalize(glm::dvec3(light.direction));
   const bool distant = !std::isfinite(s.towards.distance);
@@ -142,7 +144,8 @@ glm::dvec3 shine(const Tracer& tracer, const RenderSettings& settings, const Pat
 // The same from a camera ray on: through all it meets.
 glm::dvec3 cell_highlight(const Tracer& tracer, const RenderSettings& settings, Path path, const glm::dvec2& place) {
   const World& world = tracer.world();
-  constexpr double surely = 0.99999994;
+  const double through = shared::way_number(shared::WAY_THROUGH, 0),
+               back = shared::way_number(shared::WAY_REFLECTED, 0);
   glm::dvec3 sum(0);
   for (std::uint32_t met = 0; met <= settings.specular_bounces;) {
     auto hit = tracer.closest(path.ray, infinity, path.triangle);
@@ -158,12 +161,12 @@ glm::dvec3 cell_highlight(const Tracer& tracer, const RenderSettings& settings, 
     else
       path.throughput *= double(surface.specular);
     Path reflected = path;
-    const double reflectance = scatter_specular(path, *hit, surface, tracer, surely, glm::dvec2(0));
+    const double reflectance = scatter_specular(path, *hit, surface, tracer, through, glm::dvec2(0));
     if (reflectance < 1) path.throughput *= 1 - reflectance;
     if (!triangle.meniscus) continue;
     sum += shine(tracer, settings, path, place);
     if (reflectance == 0 || reflectance >= 1) continue;
-    scatter_specular(reflected, *hit, surface, tracer, 0, glm::dvec2(0));
+    scatter_specular(reflected, *hit, surface, tracer, back, glm::dvec2(0));
     reflected.throughput *= reflectance;
     sum += shine(tracer, settings, reflected, place);
   }

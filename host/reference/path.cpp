@@ -191,11 +191,12 @@ LightSample choose_light(const World& world, const glm::dvec3& point, const glm:
     const LightSample s = sample_light(world, picked.index, picked.weight, point, place);
     const double given =
         (s.irradiance.x + s.irradiance.y + s.irradiance.z) * std::max(glm::dot(s.direction, normal), 0.0);
+    if (i == 0) chosen = s;
+    if (!(given > 0)) continue;
     sum += given;
     // Keeps one by one number, of which it uses up what the choice so far took.
-    const bool taken = i == 0 || choice * sum < given;
-    choice = taken ? choice * sum / given : (choice * sum - given) / (sum - given);
-    if (!(choice >= 0 && choice < 1)) choice = 0;
+    const bool taken = choice * sum < given;
+    choice = std::clamp(taken ? choice * sum / given : (choice * sum - given) / (sum - given), 0.0, 1.0);
     if (taken) chosen = s, kept = given;
   }
   if (kept > 0) chosen.irradiance *= sum / kept;

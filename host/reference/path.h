@@ -72,7 +72,7 @@ struct LightSample {
 LightSample sample_light(const World& world, std::uint32_t light, double weight, const glm::dvec3& point,
                          const glm::dvec2& place);
 // One of the lights, by the CDF that begins at `first`. `stratified`: light and point by the sequence that the start is
-// of, in its third and fourth dimensions; else at random.
+// of, in its third and fourth dimensions; else at random. For photons.
 LightSample sample_lights(const World& world, std::uint32_t first, const glm::dvec3& point,
                           const shared::RandomKey& key, bool stratified);
 
@@ -82,8 +82,9 @@ LightSample sample_lights(const World& world, std::uint32_t first, const glm::dv
 LightSample choose_light(const World& world, const glm::dvec3& point, const glm::dvec3& normal,
                          const shared::RandomKey& key);
 
-// The density, per solid angle, with which sample_lights takes the direction of a point on a triangle, at `distance`
-// under `cosine` to the triangle's normal. 0: no light.
+// The density, per solid angle, with which a light picked by power gives the direction of a point on a triangle, at
+// `distance` under `cosine` to the triangle's normal. 0: no light. Shares out what both shadow rays and lobes find: any
+// function would do that both know.
 double area_light_pdf(const World& world, std::uint32_t triangle, double distance, double cosine);
 
 // The same of a light sample. 0: a point or a direction, which no path meets by chance.

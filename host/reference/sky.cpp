@@ -5,6 +5,7 @@
 
 #include "host/reference/path.h"
 #include "host/world/lights.h"
+#include "shaders/shared/highlights.h"
 
 namespace meniscal::reference {
 namespace {
@@ -44,11 +45,11 @@ DistantSample sample_distant(const World& world, const shared::Light& light, con
   return {-glm::normalize(glm::dvec3(light.direction)), glm::dvec3(light.intensity), 0};
 }
 
-SkySample sky(const World& world, const glm::dvec3& direction, bool suns) {
+SkySample sky(const World& world, const glm::dvec3& direction, bool in_meniscus) {
   SkySample s{glm::dvec3(0), 0};
   for (const shared::Light& light : world.lights) {
     if (is_sun(light)) {
-      if (!suns) continue;
+      if (in_meniscus && light.cone_versine <= shared::MOST_VERSINE) continue;
       const double sine = glm::length(glm::cross(direction, glm::normalize(glm::dvec3(light.direction))));
       const double edge = double(light.cone_versine) * (2 - double(light.cone_versine));  // sine squared
       if (glm::dot(direction, glm::dvec3(light.direction)) >= 0 || sine * sine >= edge) continue;

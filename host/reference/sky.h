@@ -21,10 +21,10 @@ DistantSample sample_distant(const World& world, const shared::Light& light, con
 
 struct SkySample {
   glm::dvec3 radiance;
-  double pdf;  // density, per solid angle, with which sample_lights takes this direction to suns or environment
+  double pdf;  // density, per solid angle, with which a light picked by power gives this direction (see area_light_pdf)
 };
 
-// What a ray sees that leaves the scene; `suns`: these, too.
-SkySample sky(const World& world, const glm::dvec3& direction, bool suns = true);
+// What a ray sees that leaves the scene; `in_meniscus`: but for suns that highlights show.
+SkySample sky(const World& world, const glm::dvec3& direction, bool in_meniscus = false);
 
 }  // namespace meniscal::reference

@@ -134,7 +134,8 @@ class Backend {
   // The samples of a view with the maps' light by the photons of another pass: by which they differ, it is these alone.
   virtual Samples light_camera(std::uint32_t pass, const View& view, std::uint32_t photon_pass) = 0;
 
-  // Other settings from now on, of no more pixels than those before; round discs stay round.
+  // Other settings from now on, of no more pixels than those before; round discs stay round, and highlights
+  // those of the same lights.
   virtual void configure(const RenderSettings& settings) = 0;
 
   struct Statistics {

@@ -1,20 +1,33 @@
 #include "host/render/highlights.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "shaders/shared/highlights.h"
 
 namespace meniscal {
 
-std::uint32_t find_highlights(const World& world) {
-  constexpr std::ptrdiff_t most_areas = 64;  // every cell asks each of them
-  const bool menisci = std::any_of(world.strata.begin(), world.strata.end(),
-                                   [](const Stratum& s) { return s.map == shared::MAP_TARGETED; });
-  const auto count = [&](std::uint32_t type) {
-    return std::count_if(world.lights.begin(), world.lights.end(), [&](const auto& l) { return l.type == type; });
-  };
-  const std::ptrdiff_t areas = count(shared::LIGHT_AREA), environments = count(shared::LIGHT_ENVIRONMENT);
-  const auto others = static_cast<std::ptrdiff_t>(world.lights.size()) - areas - environments;
-  if (menisci && areas > 0 && areas <= most_areas) return shared::HIGHLIGHTS_ALL;
-  return menisci && others > 0 ? shared::HIGHLIGHTS_NO_AREAS : shared::HIGHLIGHTS_NONE;
+Highlights find_highlights(const World& world) {
+  constexpr std::size_t most_lights = 64;
+  if (std::none_of(world.strata.begin(), world.strata.end(),
+                   [](const Stratum& s) { return s.map == shared::MAP_TARGETED; }))
+    return {shared::HIGHLIGHTS_NONE, "no menisci"};
+  std::size_t areas = 0, discs = 0;
+  for (const shared::Light& light : world.lights) {
+    const bool wide = light.type == shared::LIGHT_DIRECTIONAL && light.cone_versine > shared::MOST_VERSINE;
+    areas += light.type == shared::LIGHT_AREA;
+    discs += light.type != shared::LIGHT_AREA && light.type != shared::LIGHT_ENVIRONMENT && !wide;
+  }
+  if (areas + discs == 0) return {shared::HIGHLIGHTS_NONE, "no light to be seen in menisci"};
+  if (areas > 0 && areas + discs <= most_lights)
+    return {shared::HIGHLIGHTS_ALL, fmt::format("{} lights that may be seen in menisci", areas + discs)};
+  const std::string left = areas == 0 ? "" : fmt::format("{} emissive triangles are left to camera paths", areas);
+  if (discs > most_lights)
+    return {shared::HIGHLIGHTS_NONE, fmt::format("{} lights are more than {}", areas + discs, most_lights)};
+  if (discs == 0) return {shared::HIGHLIGHTS_NONE, left};
+  return {shared::HIGHLIGHTS_NO_AREAS,
+          fmt::format("{} lights that may be seen in menisci{}{}", discs, areas > 0 ? "; " : "", left)};
 }
 
 void HighlightPixels::add(const std::vector<shared::PixelSample>& samples) {

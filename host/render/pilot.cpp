@@ -129,20 +129,31 @@ MapNoise difference(const Samples& a, const Samples& b) {
   return sum;
 }
 
-// Variances by one photon. The discs are those of the first passes to come; the random numbers are others.
-MapNoise look_at_noise(Backend& backend, const World& world, RenderSettings settings,
-                       const std::vector<StartSet>& sets) {
+double crowding_in(const Samples& samples, const RenderSettings& settings, double scene_radius) {
+  double held = 0, points = 0;
+  for (const shared::PixelSample& s : samples.pixels)
+    if (s.weight != glm::vec3(0)) held += double(s.global_count), ++points;
+  const double part = std::pow(settings.global.discs.widest / scene_radius, 2);  // of the scene, in a disc
+  if (!(held > 0)) return 0;
+  constexpr double steps = 4;  // an octave
+  return std::exp2(std::round(steps * std::log2(held / points / (part * settings.global.count()))) / steps);
+}
+
+// Noise is variance by one photon. The discs are those of the first passes to come; the random numbers are others.
+void look_at_maps(Backend& backend, const World& world, RenderSettings settings, Pilot& pilot) {
   settings.seed = ~settings.seed;
-  settings.caustics.beams = make_beams(world, sets, photons_for_noise);
+  settings.caustics.beams = make_beams(world, pilot.starts, photons_for_noise);
   settings.global.beams = global_beams(world, photons_for_noise, false);
   backend.configure(settings);
-  const auto noise_in = [&](const View& view) {
-    return difference(backend.light_camera(0, view, 0), backend.light_camera(0, view, 1));
+  const auto look_at = [&](const View& view) {
+    const Samples samples = backend.light_camera(0, view, 0);
+    pilot.crowding = crowding_in(samples, settings, world.radius);
+    return difference(samples, backend.light_camera(0, view, 1));
   };
-  MapNoise noise = noise_in(View{});
+  MapNoise noise = look_at(View{});
   // Of one bounced path a sample: their mean evens out what each sees of the map.
-  if (settings.final_gathering) noise.global = noise_in(View{.bounced = true}).global / settings.samples;
-  return {photons_for_noise * noise.caustics, photons_for_noise * noise.global};
+  if (settings.final_gathering) noise.global = look_at(View{.bounced = true}).global / settings.samples;
+  pilot.noise = {photons_for_noise * noise.caustics, photons_for_noise * noise.global};
 }
 
 }  // namespace
@@ -170,8 +181,9 @@ Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& set
       sets[i].windows = windows_round(seen[i], sets[i], round + 1 == rounds);
     share_out(sets);
   }
-  if (pilot.global.count() == 0 || sets.empty()) return {sets, split, {}};
-  return {sets, split, look_at_noise(backend, world, pilot, sets)};
+  Pilot result{sets, split, {}};
+  if (pilot.global.count() > 0 && !sets.empty()) look_at_maps(backend, world, pilot, result);
+  return result;
 }
 
 }  // namespace meniscal

@@ -30,7 +30,7 @@ const Stratum* find_stratum(const World& world, const std::string& name) {
 
 }  // namespace
 
-Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uvec4& camera_media) {
+Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uvec4& camera_media, bool highlights) {
   std::size_t contacts = 0;
   for (const LiquidReport& l : world.liquids) contacts += l.contacts.size();
   Plan plan;
@@ -42,9 +42,9 @@ Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uve
     if (entry.on && world.lights.empty()) entry = {entry.feature, false, "no light"};
     plan.push_back(entry);
   }
-  const bool highlights = find_highlights(world) != shared::HIGHLIGHTS_NONE;
-  plan.push_back({"highlights", highlights,
-                  highlights ? "lights that may be seen in menisci" : "no menisci, or no light to be seen in them"});
+  const Highlights shown = find_highlights(world);
+  plan.push_back({"highlights", highlights && shown.lights != shared::HIGHLIGHTS_NONE,
+                  highlights ? shown.why : "no rays are to look for them"});
   plan.push_back({"interreflection", diffuse_bounces > 0 && !world.lights.empty(),
                   world.lights.empty() ? "no light" : fmt::format("{} diffuse bounces", diffuse_bounces)});
   using shared::Light;

@@ -13,8 +13,9 @@ struct PlanEntry {
 };
 using Plan = std::vector<PlanEntry>;
 
-// `diffuse_bounces`: asked for. `camera_media`: dielectrics that the camera is inside of.
-Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uvec4& camera_media);
+// `diffuse_bounces`: asked for. `camera_media`: dielectrics that the camera is inside of. `highlights`: asked for.
+Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uvec4& camera_media,
+               bool highlights = true);
 
 // Discs of pass 0 for the beams and pixels of the settings. `radius`: of the scene, m.
 Discs default_discs(const RenderSettings& settings, double radius);

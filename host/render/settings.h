@@ -79,8 +79,9 @@ struct RenderSettings {
   // Where light is reflected in part, camera paths go 0: one way, by roulette; 1: both ways at the first such surface;
   // 2: at later ones, too.
   std::uint32_t split = 0;
-  // Lights that are seen in menisci, HIGHLIGHTS_*, and the cells of a pixel, along each side, in which they are.
-  std::uint32_t highlights = shared::HIGHLIGHTS_NONE, highlight_cells = 1;
+  // Lights that are seen in menisci, HIGHLIGHTS_*, and the cells of a pixel, along each side, in which they are; 0: not
+  // asked for.
+  std::uint32_t highlights = shared::HIGHLIGHTS_NONE, highlight_cells = 0;
 };
 
 // Radius in a pass of the finest beam's discs where light is neither focused nor spread, m.

@@ -14,7 +14,8 @@ using Json = nlohmann::ordered_json;
 
 Json plan_json(const World& world, const RenderSettings& settings) {
   Json entries = Json::array();
-  for (const PlanEntry& e : make_plan(world, settings.diffuse_bounces, settings.camera_media))
+  for (const PlanEntry& e :
+       make_plan(world, settings.diffuse_bounces, settings.camera_media, settings.highlight_cells > 0))
     entries.push_back({{"feature", e.feature}, {"on", e.on}, {"why", e.why}});
   return entries;
 }

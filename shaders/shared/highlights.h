@@ -7,6 +7,8 @@ SHARED_BEGIN
 
 // Lights without extent are seen as discs of half a degree: as points, they would be single pixels of any brightness.
 const float LEAST_VERSINE = 9.5e-6f;  // of the disc's radius
+// Suns of more than 60 degrees are left to camera paths: to first order, a cell sees nothing of their edges. Versine of the radius.
+const float MOST_VERSINE = 0.134f;
 // Derivatives tell nothing of what lies behind a ray or nearly across it: the least cosine of a disc.
 const float LEAST_AHEAD = 0.1f;
 // Added to what a cell spans, rad: on level water an orthographic camera sees but one direction in all of it.

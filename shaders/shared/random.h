@@ -58,7 +58,7 @@ SHARED vec2 pixel_place(RandomKey key, uint i) {
 // irrational number, shifted at random (the golden ratio; the R3 sequence, Roberts 2018).
 SHARED uint light_bits(RandomKey key, uint dimension) {
   if (key.stream < STREAM_CAMERA) return random_bits(key, dimension);
-  uint step = dimension == DIM_LIGHT || dimension == DIM_LIGHT_SIDE ? 2654435769u : dimension == DIM_LIGHT_U ? 2882110344u : 2360945575u;
+  uint step = dimension == DIM_LIGHT ? 2654435769u : dimension == DIM_LIGHT_SIDE ? 3518319155u : dimension == DIM_LIGHT_U ? 2882110344u : 2360945575u;
   uint sample_index = key.stream - STREAM_CAMERA;
   key.stream = STREAM_CAMERA;
   return random_bits(key, dimension) + step * sample_index;
