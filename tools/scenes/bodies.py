@@ -1,54 +1,18 @@
 """Closed bodies of one smooth skin, as (positions, normals, triangles): rings of points from one pole to the other. Lengths in metres, Y up."""
 import math
 
-
-def add(a, b):
-    return tuple(p + q for p, q in zip(a, b))
-
-
-def subtract(a, b):
-    return tuple(p - q for p, q in zip(a, b))
-
-
-def scaled(a, factor):
-    return tuple(factor * p for p in a)
-
-
-def dot(a, b):
-    return sum(p * q for p, q in zip(a, b))
-
-
-def cross(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def unit(a):
-    return scaled(a, 1 / math.sqrt(dot(a, a)))
-
-
-def spline(controls, samples):
-    """`samples` + 1 points of the uniform cubic B-spline from the first control to the last: as smooth as can be, near the others only.
-    Controls that stand twice or three times make narrower bends."""
-    first = subtract(scaled(controls[0], 2), controls[1])
-    last = subtract(scaled(controls[-1], 2), controls[-2])
-    points = [first, *controls, last]
-    result = []
-    for k in range(samples + 1):
-        span = min(int(k * (len(controls) - 1) / samples), len(controls) - 2)
-        t = k * (len(controls) - 1) / samples - span
-        weights = ((1 - t) ** 3 / 6, (3 * t ** 3 - 6 * t ** 2 + 4) / 6, (-3 * t ** 3 + 3 * t ** 2 + 3 * t + 1) / 6, t ** 3 / 6)
-        result.append(tuple(dot(weights, c) for c in zip(*points[span:span + 4])))
-    return result
+from curves import circle
+from vectors import add, cross, dot, length, scaled, subtract, unit
 
 
 def tangent(before, here, after):
     """Of the parabola through three points, as far apart in parameter as in space."""
     a, b = subtract(here, before), subtract(after, here)
-    la, lb = math.sqrt(dot(a, a)), math.sqrt(dot(b, b))
+    la, lb = length(a), length(b)
     return unit(add(scaled(a, lb / la), scaled(b, la / lb)))
 
 
-def skin(rings, first_pole, last_pole):
+def loft(rings, first_pole, last_pole):
     """A closed surface through rings of equally many points. Its normals are those of the smooth surface that the rings stand for."""
     n = len(rings[0])
     positions, normals = [first_pole], [None]
@@ -75,41 +39,13 @@ def skin(rings, first_pole, last_pole):
     return positions, normals, triangles
 
 
-def circle(around):
-    return [(math.cos(2 * math.pi * k / around), math.sin(2 * math.pi * k / around)) for k in range(around)]
-
-
-def rounded(half_x, half_z, around, power=4):
-    """An outline between an ellipse (power 2) and a rectangle."""
-    points = []
-    for c, s in circle(around):
-        r = (abs(c / half_x) ** power + abs(s / half_z) ** power) ** (-1 / power)
-        points.append((r * c, r * s))
-    return points
-
-
-def evened(curve, count):
-    """`count` points of the closed plane curve, densely given, spread by its length and its turning alike: facets meet at small angles."""
-    n = len(curve)
-    steps = [subtract(curve[(k + 1) % n], curve[k]) for k in range(n)]
-    lengths = [math.hypot(*s) for s in steps]
-    turns = [abs(math.atan2(a[0] * b[1] - a[1] * b[0], dot(a, b))) for a, b in zip(steps, steps[1:] + steps[:1])]
-    measure = [length / math.fsum(lengths) + turn / math.fsum(turns) for length, turn in zip(lengths, turns)]
-    result, passed, whole = [], 0, math.fsum(measure)
-    for point, step, part in zip(curve, steps, measure):
-        while len(result) < count and len(result) * whole / count < passed + part:
-            result.append(add(point, scaled(step, (len(result) * whole / count - passed) / part)))
-        passed += part
-    return result
-
-
 def turned(profile, outline):
     """A body turned on a lathe, or in shape of any outline round the y axis: the profile's points (r, y) from axis to axis scale it."""
     rings = [[(r * x, y, r * z) for x, z in outline] for r, y in profile[1:-1]]
-    return skin(rings, (0, profile[0][1], 0), (0, profile[-1][1], 0))
+    return loft(rings, (0, profile[0][1], 0), (0, profile[-1][1], 0))
 
 
-def tube(path, radii, around, cap_rings=4):
+def tapered_rod(path, radii, around, cap_rings=4):
     """A bent rod with round ends along the points `path`, as thick as `radii` say at each of them."""
     inner = [tangent(*path[k - 1:k + 2]) for k in range(1, len(path) - 1)]
     ways = [unit(subtract(path[1], path[0])), *inner, unit(subtract(path[-1], path[-2]))]
@@ -126,7 +62,7 @@ def tube(path, radii, around, cap_rings=4):
 
     stations = [*reversed(cap(0, -1)), *stations, *cap(len(path) - 1, 1)]
     rings = [[add(centre, add(scaled(u, radius * c), scaled(v, radius * s))) for c, s in circle(around)] for centre, radius, u, v in stations]
-    return skin(rings, subtract(path[0], scaled(ways[0], radii[0])), add(path[-1], scaled(ways[-1], radii[-1])))
+    return loft(rings, subtract(path[0], scaled(ways[0], radii[0])), add(path[-1], scaled(ways[-1], radii[-1])))
 
 
 def sheet(outline, height, rings):

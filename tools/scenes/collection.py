@@ -2,7 +2,8 @@
 Lengths in millimetres."""
 import math
 
-from bodies import circle, evened, moved, rounded, sheet, skin, spline, tube, turned, united
+from bodies import loft, moved, sheet, tapered_rod, turned, united
+from curves import b_spline, circle, evened, superellipse
 from gltf_writer import rotation
 from stage import Stage, dish, rectangle
 
@@ -26,7 +27,7 @@ def vase():
     """It stands on the floor; its hollow ends above the level."""
     outside = [(0, -DEPTH - 1), (9, -DEPTH - 1), (9, -DEPTH + 1), (11, -DEPTH + 8), (17, -16), (16, -2), (10, 14), (5, 24), (5, 30), (9, 38)]
     inside = [(8.5, 39.5), (7, 38), (3.6, 30), (3.4, 24), (0, 20)]
-    return turned(spline(outside + inside, 40), circle(64))
+    return turned(b_spline(outside + inside, 40), circle(64))
 
 
 def heart():
@@ -50,16 +51,16 @@ def ball(centre, radii, around, rings):
 
 def bird():
     """Looks along +x. Body with tail: rings across, of their own width and height."""
-    spine = spline([(-22, 11, 1.2, 0.7), (-20, 10, 2.6, 1.2), (-15, 5.5, 5.5, 3.4), (-8, 2.5, 8.8, 6.6), (0, 2, 10, 8.2), (8, 3, 8.8, 8.4),
+    spine = b_spline([(-22, 11, 1.2, 0.7), (-20, 10, 2.6, 1.2), (-15, 5.5, 5.5, 3.4), (-8, 2.5, 8.8, 6.6), (0, 2, 10, 8.2), (8, 3, 8.8, 8.4),
                     (13, 5.5, 5.5, 5.8), (14.5, 6.5, 1.5, 1.5)], 90)
     rings = [[(x, y + high * s, wide * c) for c, s in circle(64)] for x, y, wide, high in spine]
-    body = skin(rings, (-22.4, 11.1, 0), (14.9, 6.6, 0))
+    body = loft(rings, (-22.4, 11.1, 0), (14.9, 6.6, 0))
     head = ball((11.5, 15.5, 0), (6, 5.8, 5.6), 32, 16)
     return united([body, head])
 
 
 def beak():
-    return tube([(15, 15.2, 0), (18, 15, 0), (21.5, 14.4, 0)], (2.2, 1.5, 0.4), 20)
+    return tapered_rod([(15, 15.2, 0), (18, 15, 0), (21.5, 14.4, 0)], (2.2, 1.5, 0.4), 20)
 
 
 def spider():
@@ -69,16 +70,16 @@ def spider():
         for along, reach, turn in ((4.5, 21, 38), (3.5, 17, 72), (2.2, 17, 106), (1, 22, 140)):
             c, s = math.cos(math.radians(turn)), side * math.sin(math.radians(turn))
             leg = [(1, 6), (0.3 * reach, 12), (0.55 * reach, 13), (0.75 * reach, 9), (0.9 * reach, 3), (reach, -2.5)]
-            path = spline([(along + r * c, y, r * s) for r, y in leg], 18)
-            parts.append(tube(path, [0.75 - 0.35 * k / 18 for k in range(19)], 16, 2))
+            path = b_spline([(along + r * c, y, r * s) for r, y in leg], 18)
+            parts.append(tapered_rod(path, [0.75 - 0.35 * k / 18 for k in range(19)], 16, 2))
     return united(parts)
 
 
 def shaft():
     """The umbrella stands along +y; its handle is a hook that comes up again."""
     hook = [(-11, 3.5), (-11, 0), (-11, -5), (-9, -10), (-5.5, -12), (-2, -10), (0, -5), (0, 0), (0, 10)]
-    path = spline([(x, y, 0) for x, y in hook], 32) + [(0, 10 + 6 * k, 0) for k in range(1, 13)]
-    return tube(path, [1.5] * len(path), 32)
+    path = b_spline([(x, y, 0) for x, y in hook], 32) + [(0, 10 + 6 * k, 0) for k in range(1, 13)]
+    return tapered_rod(path, [1.5] * len(path), 32)
 
 
 def canopy():
@@ -94,7 +95,7 @@ def canopy():
         return points
 
     parts = [k / 8 for k in range(1, 9)]
-    return skin([ring(p, 0) for p in parts] + [ring(1.008, thick / 2)] + [ring(p, thick) for p in reversed(parts)], (0, top, 0), (0, top - thick, 0))
+    return loft([ring(p, 0) for p in parts] + [ring(1.008, thick / 2)] + [ring(p, thick) for p in reversed(parts)], (0, top, 0), (0, top - thick, 0))
 
 
 def collection():
@@ -102,7 +103,7 @@ def collection():
     stage.put("table", rectangle(-200, 220, -230, 130), stage.matte("table", (0.09, 0.12, 0.14), meniscus_ignore=1), (0, -DEPTH - 4, 0))
     stage.put("dish", dish(HALF_X, HALF_Z, DEPTH, 128), stage.matte("dish", (0.6, 0.55, 0.48), meniscus_contact_angle=35))
     water = stage.clear("water", 1.333, DEPTH, meniscus_liquid="water", meniscus_tolerance=4e-6)
-    stage.put("water", sheet(rounded(HALF_X, HALF_Z, 96), wave, 24), water)
+    stage.put("water", sheet(superellipse(HALF_X, HALF_Z, 96, 4), wave, 24), water)
     stage.put("vase", vase(), stage.satin("vase", (0.05, 0.3, 0.33), 0.25, meniscus_contact_angle=30), (-46, 0, -22))
     red = stage.satin("heart", (0.62, 0.04, 0.06), 0.2, meniscus_contact_angle=55)
     stage.put("heart", heart(), red, (31, 0.5, 26), rotation=rotation((0, 1, 0), -25))

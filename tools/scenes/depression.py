@@ -4,6 +4,7 @@ import math
 import os
 import sys
 
+from curves import circle
 from gltf_writer import Scene
 from shapes import cylinder, square
 
@@ -20,10 +21,6 @@ def bessel_k(order, x):
     step = 1 / 64
     terms = (math.exp(-x * math.cosh(k * step)) * math.cosh(order * k * step) for k in range(1, 12 * 64))
     return step * (0.5 * math.exp(-x) + math.fsum(terms))
-
-
-def circle(around):
-    return [(math.cos(2 * math.pi * k / around), math.sin(2 * math.pi * k / around)) for k in range(around)]
 
 
 def stitched(rings, around):

@@ -1,18 +1,14 @@
 """Scenes of the paper's figures 8 and 9: small things in a dish of water, under a small hard light that draws the caustics and a wide soft one."""
 import math
 
+from curves import arc, catmull_rom, circle, lengths_along
 from gltf_writer import Scene, look_at
 from shapes import square
-from tubes import Path, add, lathe, skin, spline, travelled, tube
+from tubes import Path, lathe, sweep, wire
+from vectors import lerp
 
 MM = 1e-3
 WARM, COOL = (1, 0.93, 0.82), (0.80, 0.90, 1)
-
-
-def arc(centre, radius, first, last, steps):
-    """Points (radius, height) of an arc, angles in degrees from the radial direction."""
-    angles = [math.radians(first + (last - first) * k / steps) for k in range(steps + 1)]
-    return [(centre[0] + radius * math.cos(a), centre[1] + radius * math.sin(a)) for a in angles]
 
 
 def matte(scene, name, color, **properties):
@@ -27,7 +23,7 @@ def water(scene, depth, **extras):
 
 def disc(radius, facets):
     """The level liquid of a round dish, facing up."""
-    rim = [(radius * math.cos(2 * math.pi * k / facets), 0, radius * math.sin(2 * math.pi * k / facets)) for k in range(facets)]
+    rim = [(radius * c, 0, radius * s) for c, s in circle(facets)]
     return [*rim, (0, 0, 0)], [(0, 1, 0)] * (facets + 1), [(facets, (k + 1) % facets, k) for k in range(facets)]
 
 
@@ -57,13 +53,13 @@ def teapot():
     # In millimetres. Spout and handle begin and end inside the body, the one below the water, the other above and below.
     foot = [(0, -20.6), (6, -20.6), *arc((12.2, -19.8), 0.8, -90, 50, 6)]
     bead = arc((10.4, 17.8), 0.8, -80, 80, 8)
-    belly = spline([foot[-1], (14.4, -17.2), (18.4, -12.5), (20.6, -6), (20.7, 0.5), (18.9, 7), (15, 12.2), (11.4, 15.2), bead[0]], 6)
-    lid = spline([bead[-1], (8.6, 20.2), (5.2, 22), (2.4, 23.2), (1.7, 24.4), (2.6, 25.8), (3.3, 27.6), (2.6, 29.6), (1.2, 30.5)], 4)
+    belly = catmull_rom([foot[-1], (14.4, -17.2), (18.4, -12.5), (20.6, -6), (20.7, 0.5), (18.9, 7), (15, 12.2), (11.4, 15.2), bead[0]], 6)
+    lid = catmull_rom([bead[-1], (8.6, 20.2), (5.2, 22), (2.4, 23.2), (1.7, 24.4), (2.6, 25.8), (3.3, 27.6), (2.6, 29.6), (1.2, 30.5)], 4)
     body = [foot, belly, bead, [*lid, (0, 30.7)]]
     scene.mesh("body", lathe([[(r * MM, y * MM) for r, y in run] for run in body], 96), metal)
 
     def curve(controls):
-        return Path([tuple(c * MM for c in p) for p in spline(controls, 10)])
+        return Path([tuple(c * MM for c in p) for p in catmull_rom(controls, 10)])
 
     spout = curve([(13, -11, 0), (20, -8.6, 0), (25.6, -4.4, 0), (28.4, 1.2, 0), (30.4, 7, 0), (33.2, 11.6, 0), (36.8, 14.2, 0)])
     end = spout.length
@@ -74,9 +70,9 @@ def teapot():
     outside = [(0, 0), (0, girth(0) / 2)] + [(end * k / 36, girth(k / 36)) for k in range(1, 37)]
     lip = [(end + 0.35 * MM * math.sin(a), girth(1) - 0.35 * MM * (1 - math.cos(a))) for a in (math.pi * k / 6 for k in range(1, 7))]
     bore = [(end - d * MM, girth(1) - 0.7 * MM) for d in (1, 2, 3, 4)]
-    scene.mesh("spout", skin(spout, [outside[:2], outside[1:] + lip + bore, [bore[-1], (end - 4 * MM, 0)]], 48), metal)
+    scene.mesh("spout", sweep(spout, [outside[:2], outside[1:] + lip + bore, [bore[-1], (end - 4 * MM, 0)]], 48), metal)
     handle = curve([(-14, 10.5, 0), (-20, 13.6, 0), (-27, 13.4, 0), (-32, 8.6, 0), (-33.2, 1, 0), (-31, -5.6, 0), (-25.6, -9.6, 0), (-15, -12, 0)])
-    scene.mesh("handle", tube(handle.points, 1.9 * MM, 40, 1.4 * MM), metal)
+    scene.mesh("handle", wire(handle.points, 1.9 * MM, 40, 1.4 * MM), metal)
 
     china = matte(scene, "china", (0.72, 0.71, 0.69), meniscus_contact_angle=40)
     scene.mesh("dish", round_dish(80 * MM, -depth, 5 * MM, 9 * MM, 4 * MM, 128), china)
@@ -95,7 +91,7 @@ def bend(x, z, radius, first, last, steps):
 
 
 def straight(start, end, count):
-    return [add(start, add(end, start, -1), k / count) for k in range(count + 1)]
+    return [lerp(start, end, k / count) for k in range(count + 1)]
 
 
 def clip_wire(level, lift):
@@ -107,7 +103,7 @@ def clip_wire(level, lift):
             *straight((left, 0, -inner), (right - 5, 0, -inner), 20)[1:], *bend(right - 5, 0, inner, -90, 90, 12)[1:],
             *straight((right - 5, 0, inner), (-6, 0, inner), 8)[1:]]
     turned = 12 + 16 + 14 + 14  # points before the inner leg begins
-    inner_way = travelled(flat)
+    inner_way = lengths_along(flat)
 
     def height(way):  # a bend, a steep rise, another bend
         ahead = min(max((way - inner_way[turned] + 1) / 4.5, 0), 1)
@@ -122,7 +118,7 @@ def paper_clip():
     depth = 36 * MM
     scene = Scene()
     lacquer = scene.material("lacquer", (0.75, 0.07, 0.04), roughness=0.25, meniscus_contact_angle=90)
-    scene.mesh("clip", tube(clip_wire(-0.15, 3), 0.45 * MM, 24, 0.5 * MM), lacquer)
+    scene.mesh("clip", wire(clip_wire(-0.15, 3), 0.45 * MM, 24, 0.5 * MM), lacquer)
     enamel = matte(scene, "enamel", (0.74, 0.74, 0.73), meniscus_ignore=1)
     scene.mesh("dish", round_dish(60 * MM, -depth, 6 * MM, 9 * MM, 3 * MM, 96), enamel)
     scene.mesh("water", disc(60.8 * MM, 96), water(scene, depth))

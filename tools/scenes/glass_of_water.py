@@ -1,7 +1,8 @@
 """A glass of water with a bent straw on a table, in light from the side. Lengths in millimetres."""
 import math
 
-from bodies import circle, moved, spline, tube, turned
+from bodies import tapered_rod, turned
+from curves import b_spline, circle
 from gltf_writer import rotation
 from shapes import cylinder
 from stage import Stage, rectangle
@@ -14,13 +15,13 @@ def tumbler():
     outside = [(0, 0), (14, 0), (27, 0), (29, 0), (30, 1), (30.5, 8), (31, RIM - 8), (31, RIM - 1), (31, RIM)]
     inside = [(30, RIM + 0.8), (INNER, RIM), (INNER, RIM - 1), (INNER, RIM - 12), (INNER, 40), (INNER, BASE + 6), (INNER, BASE + 3), (INNER - 1, BASE), (INNER - 5, BASE),
               (INNER / 2, BASE), (0, BASE)]
-    return turned(spline(outside + inside, 52), circle(112))
+    return turned(b_spline(outside + inside, 52), circle(112))
 
 
 def straw():
     path = [(-17, 10, 4), (-12, 25, 3), (-6, 43, 1), (0, LEVEL, 0), (7, 80, -2), (12, 95, -3), (16, 106, -4), (20, 113, -5), (30, 117, -6), (44, 120, -7)]
-    points = spline(path, 60)
-    return tube(points, [2.6] * len(points), 48, 3)
+    points = b_spline(path, 60)
+    return tapered_rod(points, [2.6] * len(points), 48, 3)
 
 
 def glass_of_water():

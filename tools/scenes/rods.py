@@ -1,7 +1,8 @@
 """Leaning rods: two whose caustics meet, and one that touches the water with its end. Lengths in millimetres."""
 import math
 
-from bodies import rounded, sheet
+from bodies import sheet
+from curves import superellipse
 from gltf_writer import rotation
 from shapes import cylinder
 from stage import Stage, dish, rectangle
@@ -16,7 +17,7 @@ def bowl_of_water(radius, depth):
     stage.put("table", rectangle(-120, 120, -150, 90), stage.matte("table", (0.16, 0.085, 0.045), meniscus_ignore=1), (0, -depth - 4, 0))
     stage.put("bowl", dish(radius, radius, depth, 128, power=2, rim=6), stage.matte("bowl", (0.64, 0.56, 0.45), meniscus_contact_angle=35))
     water = stage.clear("water", 1.333, depth, meniscus_liquid="water", meniscus_tolerance=3e-6)
-    stage.put("water", sheet(rounded(radius, radius, 128, 2), level, 8), water)
+    stage.put("water", sheet(superellipse(radius, radius, 128, 2), level, 8), water)
     return stage
 
 

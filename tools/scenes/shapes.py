@@ -1,6 +1,9 @@
 """Meshes as (positions, normals, triangles), counter-clockwise from outside. Lengths in metres, Y up."""
 import math
 
+from curves import circle
+from vectors import add, cross, lerp, scaled, subtract, unit
+
 
 def square(half_width, y, facing=1):
     """Two triangles in the plane y, facing up (1) or down (-1)."""
@@ -13,36 +16,31 @@ def square(half_width, y, facing=1):
 def cylinder(radius, bottom, top, facets, segments=1):
     """A closed rod from the point `bottom` to the point `top`: smooth normals on the side, flat caps. Segments along it keep the
     triangles of a slanting rod short, and their boxes small."""
-    axis = [t - b for t, b in zip(top, bottom)]
-    length = math.sqrt(sum(c * c for c in axis))
-    w = [c / length for c in axis]
+    w = unit(subtract(top, bottom))
     # u, v and the axis: right-handed; the rods here are never parallel to z.
     n = math.hypot(w[0], w[1])
-    u = [w[1] / n, -w[0] / n, 0.0]
-    v = [w[1] * u[2] - w[2] * u[1], w[2] * u[0] - w[0] * u[2], w[0] * u[1] - w[1] * u[0]]
+    u = (w[1] / n, -w[0] / n, 0)
+    v = cross(w, u)
+    rim = [add(scaled(u, c), scaled(v, s)) for c, s in circle(facets)]
     positions, normals, triangles = [], [], []
-    rim = []
-    for i in range(facets):
-        angle = 2 * math.pi * i / facets
-        rim.append([math.cos(angle) * a + math.sin(angle) * b for a, b in zip(u, v)])
 
     def ring(centre, normal):
         first = len(positions)
         for outward in rim:
-            positions.append(tuple(c + radius * o for c, o in zip(centre, outward)))
-            normals.append(tuple(normal or outward))
+            positions.append(add(centre, scaled(outward, radius)))
+            normals.append(normal or outward)
         return first
 
-    rings = [ring([b + (t - b) * k / segments for b, t in zip(bottom, top)], None) for k in range(segments + 1)]
+    rings = [ring(lerp(bottom, top, k / segments), None) for k in range(segments + 1)]
     for low, high in zip(rings, rings[1:]):
         for i in range(facets):
             j = (i + 1) % facets
             triangles += [(low + i, low + j, high + j), (low + i, high + j, high + i)]
-    for centre, normal in ((bottom, [-c for c in w]), (top, w)):
+    for centre, normal in ((bottom, scaled(w, -1)), (top, w)):
         first = ring(centre, normal)
         middle = len(positions)
-        positions.append(tuple(centre))
-        normals.append(tuple(normal))
+        positions.append(centre)
+        normals.append(normal)
         for i in range(facets):
             j = (i + 1) % facets
             a, b = (first + i, first + j) if normal is w else (first + j, first + i)
@@ -53,11 +51,10 @@ def cylinder(radius, bottom, top, facets, segments=1):
 def cup(inner, outer, low, high, floor, facets):
     """An open round beaker, closed as a solid: inner and outer radius, underside, rim, and the height of its floor."""
     positions, normals, triangles = [], [], []
-    rim = [(math.cos(2 * math.pi * i / facets), math.sin(2 * math.pi * i / facets)) for i in range(facets)]
 
     def ring(radius, y, radial, up):
         first = len(positions)
-        for x, z in rim:
+        for x, z in circle(facets):
             positions.append((radius * x, y, radius * z))
             normals.append((radial * x, up, radial * z))
         return first
@@ -89,14 +86,14 @@ def sphere(radius, centre, around, rings):
 
     def vertex(polar, angle):
         n = (math.sin(polar) * math.cos(angle), math.cos(polar), math.sin(polar) * math.sin(angle))
-        positions.append(tuple(c + radius * k for c, k in zip(centre, n)))
+        positions.append(add(centre, scaled(n, radius)))
         normals.append(n)
 
     vertex(0, 0)
     for i in range(1, rings):
         for k in range(around):
             vertex(math.pi * i / rings, 2 * math.pi * k / around)
-    positions.append((centre[0], centre[1] - radius, centre[2]))
+    positions.append(add(centre, (0, -radius, 0)))
     normals.append((0, -1, 0))
     south = len(positions) - 1
     for k in range(around):

@@ -1,5 +1,6 @@
 """What the pictures' things stand in and on: dish, table, water and lamps. Lengths in millimetres, here and in `Stage.put`."""
-from bodies import rounded, spline, turned
+from bodies import turned
+from curves import b_spline, superellipse
 from gltf_writer import Scene
 
 MM = 1e-3
@@ -8,9 +9,9 @@ MM = 1e-3
 def dish(half_x, half_z, depth, facets, power=4, rim=9):
     """For water that reaches to half_x and half_z: 0.5 to 1 mm into its walls, which lean outward a little; all edges are rounded. The
     outline is an ellipse (power 2) or nearly a rectangle."""
-    profile = spline([(0, -depth - 4), (0.7, -depth - 4), (0.88, -depth - 4), (0.93, -depth - 3), (1.05, rim), (1.05, rim + 1), (1.012, rim + 1),
+    profile = b_spline([(0, -depth - 4), (0.7, -depth - 4), (0.88, -depth - 4), (0.93, -depth - 3), (1.05, rim), (1.05, rim + 1), (1.012, rim + 1),
                       (1.008, rim - 1), (0.92, -depth + 5), (0.91, -depth), (0.85, -depth), (0.6, -depth), (0, -depth)], 36)
-    return turned(profile, rounded(half_x, half_z, facets, power))
+    return turned(profile, superellipse(half_x, half_z, facets, power))
 
 
 def rectangle(left, right, back, front):
