@@ -1,4 +1,5 @@
-"""Closed bodies of one smooth skin, as (positions, normals, triangles): rings of points from one pole to the other. Lengths in metres, Y up."""
+"""Closed bodies that are smooth all over, as (positions, normals, triangles): rings of any outline from one pole to the other; and an
+open sheet."""
 import math
 
 from curves import circle
@@ -40,7 +41,7 @@ def loft(rings, first_pole, last_pole):
 
 
 def turned(profile, outline):
-    """A body turned on a lathe, or in shape of any outline round the y axis: the profile's points (r, y) from axis to axis scale it."""
+    """Any outline round the y axis, scaled by the profile's points (r, y) from axis to axis; a circle makes a body turned on a lathe."""
     rings = [[(r * x, y, r * z) for x, z in outline] for r, y in profile[1:-1]]
     return loft(rings, (0, profile[0][1], 0), (0, profile[-1][1], 0))
 
@@ -65,7 +66,11 @@ def tapered_rod(path, radii, around, cap_rings=4):
     return loft(rings, subtract(path[0], scaled(ways[0], radii[0])), add(path[-1], scaled(ways[-1], radii[-1])))
 
 
-def sheet(outline, height, rings):
+def level(x, z):
+    return 0, 0, 0
+
+
+def sheet(outline, rings, height=level):
     """A surface over the outline round the y axis, open at its border; `height`: (x, z) -> y and its two derivatives."""
     points = [(0, 0)] + [(x * k / rings, z * k / rings) for k in range(1, rings + 1) for x, z in outline]
     positions, normals = [], []

@@ -5,7 +5,9 @@ import math
 from bodies import loft, moved, sheet, tapered_rod, turned, united
 from curves import b_spline, circle, evened, superellipse
 from gltf_writer import rotation
-from stage import Stage, dish, rectangle
+from materials import matte, water
+from shapes import rectangle
+from stage import Stage, add_lamp, add_sun, dish
 
 DEPTH = 38
 HALF_X, HALF_Z = 84, 62  # of the water
@@ -100,25 +102,25 @@ def canopy():
 
 def collection():
     stage = Stage()
-    stage.put("table", rectangle(-200, 220, -230, 130), stage.matte("table", (0.09, 0.12, 0.14), meniscus_ignore=1), (0, -DEPTH - 4, 0))
-    stage.put("dish", dish(HALF_X, HALF_Z, DEPTH, 128), stage.matte("dish", (0.6, 0.55, 0.48), meniscus_contact_angle=35))
-    water = stage.clear("water", 1.333, DEPTH, meniscus_liquid="water", meniscus_tolerance=4e-6)
-    stage.put("water", sheet(superellipse(HALF_X, HALF_Z, 96, 4), wave, 24), water)
-    stage.put("vase", vase(), stage.satin("vase", (0.05, 0.3, 0.33), 0.25, meniscus_contact_angle=30), (-46, 0, -22))
-    red = stage.satin("heart", (0.62, 0.04, 0.06), 0.2, meniscus_contact_angle=55)
-    stage.put("heart", heart(), red, (31, 0.5, 26), rotation=rotation((0, 1, 0), -25))
+    stage.mesh("table", rectangle(-200, 220, -230, 130), matte(stage, "table", (0.09, 0.12, 0.14), meniscus_ignore=1), (0, -DEPTH - 4, 0))
+    stage.mesh("dish", dish(HALF_X, HALF_Z, DEPTH, 128), matte(stage, "dish", (0.6, 0.55, 0.48), meniscus_contact_angle=35))
+    liquid = water(stage, DEPTH, meniscus_tolerance=4e-6)
+    stage.mesh("water", sheet(superellipse(HALF_X, HALF_Z, 96, 4), 24, wave), liquid)
+    stage.mesh("vase", vase(), stage.material("vase", (0.05, 0.3, 0.33), 0.25, meniscus_contact_angle=30), (-46, 0, -22))
+    red = stage.material("heart", (0.62, 0.04, 0.06), 0.2, meniscus_contact_angle=55)
+    stage.mesh("heart", heart(), red, (31, 0.5, 26), rotation=rotation((0, 1, 0), -25))
     swims = {"at": (-30, -2, 27), "rotation": rotation((0, 1, 0), 25)}
-    stage.put("bird", bird(), stage.satin("bird", (0.85, 0.55, 0.08), 0.4, meniscus_contact_angle=45), **swims)
-    stage.put("beak", beak(), stage.satin("beak", (0.8, 0.22, 0.03), meniscus_ignore=1), **swims)
-    black = stage.satin("spider", (0.03, 0.025, 0.03), 0.35, meniscus_contact_angle=115)
-    stage.put("spider", spider(), black, (2, 0, -14), rotation=rotation((0, 1, 0), 200))
+    stage.mesh("bird", bird(), stage.material("bird", (0.85, 0.55, 0.08), 0.4, meniscus_contact_angle=45), **swims)
+    stage.mesh("beak", beak(), stage.material("beak", (0.8, 0.22, 0.03), 0.3, meniscus_ignore=1), **swims)
+    black = stage.material("spider", (0.03, 0.025, 0.03), 0.35, meniscus_contact_angle=115)
+    stage.mesh("spider", spider(), black, (2, 0, -14), rotation=rotation((0, 1, 0), 200))
     leans = {"at": (44, 0, -20), "rotation": rotation((0, 0, 1), -36)}
-    stage.put("umbrella's handle", shaft(), stage.satin("wood", (0.35, 0.17, 0.07), 0.35, meniscus_contact_angle=40), **leans)
-    stage.put("umbrella", canopy(), stage.matte("cloth", (0.75, 0.25, 0.3), meniscus_ignore=1), **leans)
-    stage.shine("sun", "directional", 80, (-70, 130, -40), color=[1, 0.95, 0.86], extras={"angular_diameter": 0.53})
-    stage.shine("spot", "spot", 1.9, (210, 270, 130), color=[0.72, 0.86, 1],
+    stage.mesh("umbrella's handle", shaft(), stage.material("wood", (0.35, 0.17, 0.07), 0.35, meniscus_contact_angle=40), **leans)
+    stage.mesh("umbrella", canopy(), matte(stage, "cloth", (0.75, 0.25, 0.3), meniscus_ignore=1), **leans)
+    add_sun(stage, 80, (-70, 130, -40), (1, 0.95, 0.86))
+    stage.light("spot", "spot", 1.9, (210, 270, 130), color=[0.72, 0.86, 1],
                 spot={"innerConeAngle": math.radians(35), "outerConeAngle": math.radians(50)})
     # Level water mirrors the lamp to where the dish ends: what is seen of it stands on menisci, on their sides towards the camera.
-    stage.lamp("lamp", rectangle(-80, 80, -4, 4), 800, (-20, 330, -5), rotation=rotation((1, 0, 0), 180))
-    stage.look((0, 250, 160), (8, -6, -4), yfov=32)
+    add_lamp(stage, "lamp", rectangle(-80, 80, -4, 4), 800, at=(-20, 330, -5), rotation=rotation((1, 0, 0), 180))
+    stage.camera((0, 250, 160), (8, -6, -4), yfov=32)
     return stage

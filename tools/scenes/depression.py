@@ -5,10 +5,10 @@ import os
 import sys
 
 from curves import circle
-from gltf_writer import Scene
+from gltf_writer import MM, Scene
+from materials import WATER, clear, matte
 from shapes import cylinder, square
 
-MM = 1e-3
 CAPILLARY_LENGTH = 2.727 * MM
 RINGS, AROUND = 96, 256  # rows and columns of the surface's mesh, by default
 WATER_DEPTH = 50 * MM
@@ -63,19 +63,17 @@ def scene(parts):
     """Seen from below the surface; the sun is vertical, 1 lx."""
     result = Scene()
 
-    def matte(name):
-        return result.material(name, (0.5, 0.5, 0.5), extensions={"KHR_materials_specular": {"specularFactor": 0}}, meniscus_ignore=1)
+    def grey(name):
+        return matte(result, name, 0.5, meniscus_ignore=1)
 
     def water(name, **extras):
-        return result.material(name, roughness=0, **extras, extensions={
-            "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.333},
-            "KHR_materials_volume": {"thicknessFactor": 0.01}})
+        return clear(result, name, WATER, 0.01, **extras)
 
-    result.mesh("floor", parts.floor, matte("floor"))
+    result.mesh("floor", parts.floor, grey("floor"))
     result.mesh("meniscus", parts.meniscus, water("meniscus", meniscus_target=1))
     result.mesh("water", parts.rest, water("flat water"))
-    result.mesh("post", parts.post, matte("post"))
-    result.light("sun", "directional", 1, (0, 100 * MM, 0), (0, 0, 0))
+    result.mesh("post", parts.post, grey("post"))
+    result.light("sun", "directional", 1, (0, 100 * MM, 0))
     result.camera((0, -4 * MM, 0), (0, -WATER_DEPTH, 0), half_width=parts.half_width)
     return result
 

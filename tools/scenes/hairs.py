@@ -3,13 +3,11 @@ import math
 
 from bodies import sheet
 from curves import catmull_rom, superellipse
-from gltf_writer import rotation
-from stage import MM, Stage, dish, rectangle
+from gltf_writer import MM, rotation
+from materials import clear, matte, water
+from shapes import rectangle
+from stage import Stage, add_lamp, add_sun, dish
 from tubes import wire
-
-
-def level(x, z):
-    return 0, 0, 0
 
 
 def curl(outline, waves, height, width, lift):
@@ -32,16 +30,16 @@ def curled_hair():
     """Figure 10: a hair of 0.1 mm curls above and below the water. Where it pierces it, and there alone, light gathers on the floor."""
     depth = 20
     stage = Stage()
-    stage.put("table", rectangle(-90, 90, -110, 70), stage.matte("table", (0.2, 0.12, 0.07), meniscus_ignore=1), (0, -depth - 4, 0))
-    stage.put("dish", dish(30, 30, depth, 96, power=2, rim=5), stage.matte("dish", (0.85, 0.78, 0.67), meniscus_ignore=1))
-    water = stage.clear("water", 1.333, depth, meniscus_liquid="water", meniscus_tolerance=5e-6)
-    stage.put("water", sheet(superellipse(30, 30, 96, 2), level, 8), water)
-    hair = stage.satin("hair", (0.16, 0.06, 0.02), 0.4, meniscus_contact_angle=55)
+    stage.mesh("table", rectangle(-90, 90, -110, 70), matte(stage, "table", (0.2, 0.12, 0.07), meniscus_ignore=1), (0, -depth - 4, 0))
+    stage.mesh("dish", dish(30, 30, depth, 96, power=2, rim=5), matte(stage, "dish", (0.85, 0.78, 0.67), meniscus_ignore=1))
+    liquid = water(stage, depth, meniscus_tolerance=5e-6)
+    stage.mesh("water", sheet(superellipse(30, 30, 96, 2), 8), liquid)
+    hair = stage.material("hair", (0.16, 0.06, 0.02), 0.4, meniscus_contact_angle=55)
     line = [(-11.5, -6), (-9.5, -0.5), (-5, 1.5), (0, -2), (4.5, -4), (9, -1), (11, 4.5)]
-    stage.put("hair", wire(curl(line, 4, 1.7, 1.0, 0.5), 0.055, 16, 0.15, 2), hair)
-    stage.shine("sun", "directional", 60, (-65, 130, -30), color=[1, 0.92, 0.80], extras={"angular_diameter": 0.53})
-    stage.lamp("strip lamp", rectangle(-110, 110, -2.5, 2.5), (170, 220, 280), (0, 190, -140), rotation=rotation((1, 0, 0), 145))
-    stage.look((1.5, 66, 46), (2.2, -8, 0), yfov=18)
+    stage.mesh("hair", wire(curl(line, 4, 1.7, 1.0, 0.5), 0.055, 16, 0.15, 2), hair)
+    add_sun(stage, 60, (-65, 130, -30), (1, 0.92, 0.80))
+    add_lamp(stage, "strip lamp", rectangle(-110, 110, -2.5, 2.5), (170, 220, 280), at=(0, 190, -140), rotation=rotation((1, 0, 0), 145))
+    stage.camera((1.5, 66, 46), (2.2, -8, 0), yfov=18)
     return stage
 
 
@@ -50,21 +48,21 @@ def hair_three_liquids():
     climb all round, and each bends light by its own index of refraction."""
     depth, radius = 12, 15
     stage = Stage()
-    stage.put("table", rectangle(-70, 70, -60, 50), stage.matte("table", (0.24, 0.16, 0.10), meniscus_ignore=1), (0, -depth - 4, 0))
-    porcelain = stage.matte("porcelain", (0.66, 0.64, 0.60), meniscus_ignore=1)
-    hair = stage.satin("hair", (0.16, 0.06, 0.02), 0.4, meniscus_contact_angle=75,
+    stage.mesh("table", rectangle(-70, 70, -60, 50), matte(stage, "table", (0.24, 0.16, 0.10), meniscus_ignore=1), (0, -depth - 4, 0))
+    porcelain = matte(stage, "porcelain", (0.66, 0.64, 0.60), meniscus_ignore=1)
+    hair = stage.material("hair", (0.16, 0.06, 0.02), 0.4, meniscus_contact_angle=75,
                        **{"meniscus_contact_angle_ethanol": 20, "meniscus_contact_angle_olive oil": 35})
     lean = math.radians(35)
     bent = catmull_rom([(t * math.sin(lean) - 0.04 * t * t, t * math.cos(lean), 0) for t in (-3, -1.5, 0, 1.5, 3, 4.5, 6)], 6)
     tint = {"attenuationDistance": 20 * MM, "attenuationColor": [0.9, 0.8, 0.35]}
     for name, ior, at, volume in (("water", 1.333, -33, {}), ("ethanol", 1.361, 0, {}), ("olive oil", 1.467, 33, tint)):
-        liquid = stage.clear(name, ior, depth, volume, meniscus_liquid=name, meniscus_tolerance=3e-6)
-        stage.put(f"dish of {name}", dish(radius, radius, depth, 64, power=2, rim=2), porcelain, (at, 0, 0))
-        stage.put(name, sheet(superellipse(radius, radius, 64, 2), level, 4), liquid, (at, 0, 0))
-        stage.put(f"hair in {name}", wire(bent, 0.1, 16, 0.25, 2), hair, (0.8 * at - 1, 0, -2.5))  # in the camera's view
-    stage.shine("sun", "directional", 60, (-14, 130, -30), color=[1, 0.92, 0.80], extras={"angular_diameter": 0.53})
-    stage.lamp("strip lamp", rectangle(-160, 160, -2, 2), (170, 220, 280), (0, 190, -88), rotation=rotation((1, 0, 0), 155))
-    stage.look((0, 130, 50), (-1, -6, 1), yfov=20)
+        liquid = clear(stage, name, ior, depth, volume, meniscus_liquid=name, meniscus_tolerance=3e-6)
+        stage.mesh(f"dish of {name}", dish(radius, radius, depth, 64, power=2, rim=2), porcelain, (at, 0, 0))
+        stage.mesh(name, sheet(superellipse(radius, radius, 64, 2), 4), liquid, (at, 0, 0))
+        stage.mesh(f"hair in {name}", wire(bent, 0.1, 16, 0.25, 2), hair, (0.8 * at - 1, 0, -2.5))  # in the camera's view
+    add_sun(stage, 60, (-14, 130, -30), (1, 0.92, 0.80))
+    add_lamp(stage, "strip lamp", rectangle(-160, 160, -2, 2), (170, 220, 280), at=(0, 190, -88), rotation=rotation((1, 0, 0), 155))
+    stage.camera((0, 130, 50), (-1, -6, 1), yfov=20)
     return stage
 
 

@@ -1,16 +1,27 @@
-"""Meshes as (positions, normals, triangles), counter-clockwise from outside. Lengths in metres, Y up."""
+"""Meshes as (positions, normals, triangles), counter-clockwise from outside. Y up."""
 import math
 
 from curves import circle
 from vectors import add, cross, lerp, scaled, subtract, unit
 
 
+def rectangle(left, right, back, front, y=0):
+    """Two triangles in the plane y, facing up."""
+    return [(left, y, back), (left, y, front), (right, y, front), (right, y, back)], [(0, 1, 0)] * 4, [(0, 1, 2), (0, 2, 3)]
+
+
 def square(half_width, y, facing=1):
     """Two triangles in the plane y, facing up (1) or down (-1)."""
-    a = half_width
-    positions = [(-a, y, -a), (-a, y, a), (a, y, a), (a, y, -a)]
-    triangles = [(0, 1, 2), (0, 2, 3)] if facing > 0 else [(0, 2, 1), (0, 3, 2)]
-    return positions, [(0, facing, 0)] * 4, triangles
+    positions, normals, triangles = rectangle(-half_width, half_width, -half_width, half_width, y)
+    if facing < 0:
+        normals, triangles = [(0, -1, 0)] * 4, [(a, c, b) for a, b, c in triangles]
+    return positions, normals, triangles
+
+
+def disc(radius, facets):
+    """In the plane y = 0, facing up."""
+    rim = [(radius * c, 0, radius * s) for c, s in circle(facets)]
+    return [*rim, (0, 0, 0)], [(0, 1, 0)] * (facets + 1), [(facets, (k + 1) % facets, k) for k in range(facets)]
 
 
 def cylinder(radius, bottom, top, facets, segments=1):

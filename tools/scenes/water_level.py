@@ -1,9 +1,10 @@
 """A ball and a leaning rod in a dish that water rises in: of the gallery's animation."""
 import math
 
-from gltf_writer import Scene
-from make_scenes import MM, add_water, matte
+from gltf_writer import MM, Scene
+from materials import matte
 from shapes import cylinder, frame, sphere, square
+from stage import add_water
 
 BALL = 11 * MM              # radius; it lies on the floor of the dish, at 0
 LOW, HIGH = 5 * MM, 18 * MM  # the ball is met well below its middle, and well above
@@ -23,6 +24,6 @@ def water_level(level):
     tip = (foot[0] + length * math.sin(lean), foot[1] + length * math.cos(lean), -12 * MM)
     scene.mesh("rod", cylinder(1.5 * MM, foot, tip, 96, 40), black)
     # From behind, so that shadows and caustics fall in front.
-    scene.light("sun", "directional", 2000, (0.25, 1, -0.75), (0, 0, 0), extras={"angular_diameter": 0.53})
-    scene.camera((0, 120 * MM, 88 * MM), (0, 5 * MM, 4 * MM), yfov=24, aspect=4 / 3)
+    scene.light("sun", "directional", 2000, (0.25, 1, -0.75), extras={"angular_diameter": 0.53})
+    scene.camera((0, 120 * MM, 88 * MM), (0, 5 * MM, 4 * MM), yfov=24)
     return scene
