@@ -14,7 +14,7 @@ import water_level  # noqa: E402
 SIZE = 320, 240
 FRAMES = 16           # from the lowest level to the highest; shown there and back
 MILLISECONDS = 100    # of a frame
-EXPOSURE = -8.6       # EV; a linear tone map whose scale does not hang on the frame
+EXPOSURE = -8.6       # EV; with a linear tone map: its scale is the same in all frames
 
 
 def levels():

@@ -2,10 +2,11 @@
 from PIL import Image, ImageChops, ImageDraw, ImageFont
 
 GAP = 12              # pixels between pictures, and round all
-LINES = 70            # of captions, on a square sheet
-PAPER, INK = (250, 249, 246), (40, 40, 44)
+ABOVE_CAPTION = 6
+LINES = 70            # of captions would fill a square sheet
+BACKGROUND, INK = (250, 249, 246), (40, 40, 44)
 FONT = "DejaVuSans.ttf"
-MIDDLE = 128          # of a difference: no difference
+GREY = 128            # where there is no difference
 
 
 def widths(count, width):
@@ -14,9 +15,9 @@ def widths(count, width):
 
 
 def difference(first, second, amplification):
-    """Of two pictures, about grey."""
+    """Of two pictures, amplified and added to grey."""
     plus, minus = ImageChops.subtract(first, second), ImageChops.subtract(second, first)
-    grey = Image.new("RGB", first.size, (MIDDLE,) * 3)
+    grey = Image.new("RGB", first.size, (GREY,) * 3)
     return ImageChops.subtract(ImageChops.add(grey, plus.point(lambda v: v * amplification)), minus.point(lambda v: v * amplification))
 
 
@@ -33,22 +34,24 @@ def wrapped(draw, text, font, width):
 
 
 def sheet(rows, width):
-    """rows: [[(picture, caption)]], all of an aspect; the pictures are scaled to the sheet's width."""
+    """rows: [[(picture, caption)]]; the pictures of a row are scaled to fill the sheet's width."""
     leading = width // LINES
     font = ImageFont.truetype(FONT, round(0.8 * leading))
     ruler = ImageDraw.Draw(Image.new("RGB", (1, 1)))
-    placed, y = [], GAP
+    pictures, lines, y = [], [], GAP  # with the places of their upper left corners
     for row in rows:
         side = widths(len(row), width)
+        lefts = [GAP + k * (side + GAP) for k in range(len(row))]
+        scaled = [picture.resize((side, round(picture.height * side / picture.width)), Image.LANCZOS) for picture, _ in row]
+        pictures += [(picture, (x, y)) for picture, x in zip(scaled, lefts)]
+        y += max(picture.height for picture in scaled) + ABOVE_CAPTION
         captions = [wrapped(ruler, caption, font, side) for _, caption in row]
-        height = max(round(picture.height * side / picture.width) for picture, _ in row)
-        for k, (picture, _) in enumerate(row):
-            placed.append((GAP + k * (side + GAP), y, side, height, picture, captions[k]))
-        y += height + 6 + leading * max(map(len, captions)) + GAP
-    result = Image.new("RGB", (width, y), PAPER)
+        lines += [(line, (x, y + leading * k)) for caption, x in zip(captions, lefts) for k, line in enumerate(caption)]
+        y += leading * max(map(len, captions)) + GAP
+    result = Image.new("RGB", (width, y), BACKGROUND)
+    for picture, corner in pictures:
+        result.paste(picture, corner)
     draw = ImageDraw.Draw(result)
-    for x, top, side, height, picture, lines in placed:
-        result.paste(picture.resize((side, round(picture.height * side / picture.width)), Image.LANCZOS), (x, top))
-        for k, line in enumerate(lines):
-            draw.text((x, top + height + 6 + leading * k), line, INK, font)
+    for line, corner in lines:
+        draw.text(corner, line, INK, font)
     return result

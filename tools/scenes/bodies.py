@@ -13,6 +13,15 @@ def tangent(before, here, after):
     return unit(add(scaled(a, lb / la), scaled(b, la / lb)))
 
 
+def sector(i, around, rings):
+    """Triangles between the points i and i + 1 of all rings, whose vertices follow on vertex 0, the pole."""
+    j = (i + 1) % around
+    triangles = [(0, 1 + j, 1 + i)]
+    for low in range(1, 1 + around * (rings - 1), around):
+        triangles += [(low + i, low + j, low + around + j), (low + i, low + around + j, low + around + i)]
+    return triangles
+
+
 def loft(rings, first_pole, last_pole):
     """A closed surface through rings of equally many points. Its normals are those of the smooth surface that the rings stand for."""
     n = len(rings[0])
@@ -28,13 +37,10 @@ def loft(rings, first_pole, last_pole):
     normals.append(unit([math.fsum(c) for c in zip(*normals[-n:])]))
     triangles = []
     for i in range(n):
-        j = (i + 1) % n
-        triangles.append((0, 1 + j, 1 + i))
-        for low in range(1, 1 + n * (len(rings) - 1), n):
-            triangles += [(low + i, low + j, low + n + j), (low + i, low + n + j, low + n + i)]
-        triangles.append((len(positions) - 1, len(positions) - 1 - n + i, len(positions) - 1 - n + j))
+        last = len(positions) - 1
+        triangles += [*sector(i, n, len(rings)), (last, last - n + i, last - n + (i + 1) % n)]
     volume = math.fsum(dot(positions[a], cross(positions[b], positions[c])) for a, b, c in triangles)
-    if volume < 0:
+    if volume < 0:  # the rings run the other way round
         normals = [scaled(m, -1) for m in normals]
         triangles = [(a, c, b) for a, b, c in triangles]
     return positions, normals, triangles
@@ -78,13 +84,7 @@ def sheet(outline, rings, height=level):
         y, dx, dz = height(x, z)
         positions.append((x, y, z))
         normals.append(unit((-dx, 1, -dz)))
-    n, triangles = len(outline), []
-    for i in range(n):
-        j = (i + 1) % n
-        triangles.append((0, 1 + j, 1 + i))
-        for inner in range(1, 1 + n * (rings - 1), n):
-            triangles += [(inner + i, inner + j, inner + n + j), (inner + i, inner + n + j, inner + n + i)]
-    return positions, normals, triangles
+    return positions, normals, [t for i in range(len(outline)) for t in sector(i, len(outline), rings)]
 
 
 def united(meshes):

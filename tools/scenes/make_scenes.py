@@ -132,7 +132,7 @@ SCENES = {"area_light": area_light, "behind_glass": behind_glass, "box": box_sce
 
 def main(names):
     if not names or any(name not in SCENES and name != "all" for name in names):
-        sys.exit(f"{__doc__}\nNAME is one of: {', '.join(SCENES)}")
+        sys.exit(f"{__doc__}\nNAME is one of: {', '.join(sorted(SCENES))}")
     folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scenes")
     os.makedirs(folder, exist_ok=True)
     for name in SCENES if "all" in names else names:
