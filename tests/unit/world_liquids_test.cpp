@@ -85,5 +85,16 @@ TEST(WorldLiquids, FlattenLeavesItLevel) {
   EXPECT_LT(steepest, 0.95);
 }
 
+// Where wires of a tilted clip come together, one's contact line lies behind the other's.
+TEST(WorldLiquids, MenisciOfWiresWithoutRoomBetweenThem) {
+  Scene scene = load_gltf(std::string(SCENES) + "/paper_clip.gltf");
+  for (Object& o : scene.objects)
+    if (o.name == "clip") o.mesh = translated(turned(o.mesh, 2, {1, 0, 0}), {0, 0.1 * kMm, 0});
+  const World world = build_world(scene, MeniscusModel::paper);
+  ASSERT_EQ(world.liquids.size(), 1u);
+  EXPECT_GT(world.liquids[0].triangles, 5000u);
+  EXPECT_EQ(world.liquids[0].contacts.size(), 1u);
+}
+
 }  // namespace
 }  // namespace meniscal
