@@ -1,5 +1,5 @@
-// Highlights, lights seen in menisci: against thousands of plain camera rays, under a moving camera, through glass, on
-// the GPU and the CPU path.
+// Highlights, lights seen in menisci: against many plain camera rays, also through glass and from under water, under a
+// moving camera, on the GPU and the CPU path.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "host/render/highlights.h"
 #include "tests/support/scene_objects.h"
 #include "tests/support/scene_setup.h"
+#include "tests/support/textured_scene.h"
 
 namespace meniscal {
 namespace {
@@ -62,11 +63,13 @@ double total(const std::vector<glm::dvec3>& radiances) {
   return sum;
 }
 
-// Means over their 4096-fold supersampling; it has no highlights of its own and the same paths otherwise.
-void expect_as_plain_rays(const std::string& name, const Crop& crop, const std::function<void(Scene&)>& edit) {
+// Means over their supersampling, of hundreds of rays a pixel or thousands; it has no highlights of its own and the
+// same paths otherwise.
+void expect_as_plain_rays(const std::string& name, const Crop& crop, const std::function<void(Scene&)>& edit,
+                          std::uint32_t rays = 4096) {
   const auto setup = make_setup(name, crop, 16, edit);
   ASSERT_EQ(setup->settings.highlight_cells, 4U);
-  setup->settings.samples = 4096;
+  setup->settings.samples = rays;
   setup->settings.split = 2;
   RenderSettings plain = setup->settings;
   plain.highlights = shared::HIGHLIGHTS_NONE;
@@ -100,7 +103,7 @@ TEST(Highlights, OfAWideSunAreAsThousandsOfRaysFindThem) {
   expect_as_plain_rays("shadow_sausage", dish_crop, sun_of(8 * degree));
 }
 
-// Seen through a sheet of glass and through a thick pane, and by an eye under water.
+// Through a thick pane.
 TEST(Highlights, SeenThroughGlassAreAsThousandsOfRaysFindThem) {
   REQUIRE_DEVICE();
   expect_as_plain_rays("tank", tank_crop, [](Scene& scene) {
@@ -111,6 +114,40 @@ TEST(Highlights, SeenThroughGlassAreAsThousandsOfRaysFindThem) {
                      high = glm::dvec3(0.03, 0.032, 0.036) - scene.origin;
     scene.objects.push_back(test::make_box("pane", static_cast<int>(scene.materials.size()) - 1, low, high));
   });
+}
+
+// Without thickness, coloured, and far from clear.
+TEST(Highlights, SeenThroughASheetAreAsManyRaysFindThem) {
+  REQUIRE_DEVICE();
+  const auto hang_sheet = [](Scene& scene) {
+    Material glass = test::make_clear("glass", 2);
+    glass.base_color = {0.4, 0.7, 1};
+    scene.materials.push_back(glass);
+    scene.objects.push_back(test::make_quad("sheet", glm::dvec3(-0.01, 0.030, 0.018) - scene.origin, {0.04, 0, 0},
+                                            {0, 0.004, 0.018}, static_cast<int>(scene.materials.size()) - 1));
+  };
+  expect_as_plain_rays("tank", tank_crop, hang_sheet, 1024);
+}
+
+// Steeply upwards, through the meniscus round the post.
+TEST(Highlights, SeenFromUnderWaterAreAsManyRaysFindThem) {
+  REQUIRE_DEVICE();
+  const auto dive = [](Scene& scene) {
+    const glm::dvec3 eye(0.008, -0.02, 0.012), met(0.002, 0.001, 0.004);
+    scene.cameras[0].pose = glm::inverse(glm::lookAt(eye - scene.origin, met - scene.origin, glm::dvec3(0, 1, 0)));
+  };
+  expect_as_plain_rays("tank", {133, 86, 148, 96}, dive, 512);
+}
+
+TEST(Highlights, OfAnOrthographicCameraAreAsManyRaysFindThem) {
+  REQUIRE_DEVICE();
+  const auto flatten = [](Scene& scene) {
+    sun_of(7 * degree)(scene);
+    Camera& camera = scene.cameras[0];
+    camera.orthographic = true;
+    camera.xmag = 0.048, camera.ymag = 0.036;
+  };
+  expect_as_plain_rays("shadow_sausage", dish_crop, flatten, 512);
 }
 
 // Against cells 16 times finer along each side, too many rays for plain ones: of lights that no ray meets by chance.
