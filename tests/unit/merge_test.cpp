@@ -1,4 +1,5 @@
 // Passes rendered apart and merged are the picture of one run.
+#include <algorithm>
 #include <cmath>
 
 #include "gtest/gtest.h"
@@ -87,6 +88,32 @@ TEST(Merge, EqualsTheSingleRunInAnyOrder) {
     level = next;
   }
   expect_equal(read_exr(folder / level.front()), whole);
+}
+
+// Lights in menisci, which the scene above shows none of.
+TEST(Merge, EqualsTheSingleRunWithHighlights) {
+  const TemporaryFolder folder;
+  const auto render = [&](const std::string& passes, const std::string& image) {
+    const Outcome o = test::meniscal(
+        folder, "render \"" SCENES
+                "/shadow_sausage.gltf\" --device cpu --quiet --meniscus paper --resolution 320x240 --crop " +
+                    std::string("156,76,172,88 --photons 500 --samples 2 --aov all ") + passes + " -o" +
+                    quoted(folder / image));
+    ASSERT_EQ(o.code, 0) << o.error;
+  };
+  render("--passes 3", "whole.exr");
+  render("--pass-range 0:1", "first.exr");
+  render("--pass-range 1:3", "rest.exr");
+  ASSERT_EQ(merge(folder, {"first.exr", "rest.exr"}, "merged.exr").code, 0);
+  const Image whole = read_exr(folder / "whole.exr"), first = read_exr(folder / "first.exr");
+  expect_equal(read_exr(folder / "merged.exr"), whole);
+  double brightest = 0, apart = 0;
+  for (std::size_t i = 0; i < whole.find("highlight")->pixels.size(); ++i) {
+    const double highlight = double(whole.find("highlight")->pixels[i]);
+    brightest = std::max(brightest, highlight);
+    apart = std::max(apart, std::abs(double(first.find("highlight")->pixels[i]) - highlight));
+  }
+  EXPECT_GT(apart, 0.001 * brightest) << "nothing to merge";
 }
 
 class RefusedMerge : public testing::Test {
