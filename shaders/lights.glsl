@@ -59,23 +59,25 @@ LightSample sample_lights(vec3 point, uint first, uint count, RandomKey key) {
   return sample_light(index, weight, point, vec2(rest, unit_float(bits.y)));
 }
 
-// One of the lights for a surface of this normal: the likelier, the more it would give it if nothing stood between; of all lights, or of
+// The i-th of the lights that a surface of this normal asks, of LIGHTS_ASKED, if there are as many: the sum of their irradiances stands for
+// all. Where there are more, each is the likelier, the more it would give the surface if nothing stood between; of all lights, or of
 // LIGHT_CANDIDATES picked by power (Talbot et al., "Importance Resampling for Global Illumination", EGSR 2005).
-LightSample choose_light(vec3 point, vec3 normal, uint first, uint count, RandomKey key) {
+LightSample choose_light(vec3 point, vec3 normal, uint first, uint count, RandomKey key, uint i) {
+  vec2 place = vec2(unit_float(light_bits(key, DIM_LIGHT_U, i)), unit_float(light_bits(key, DIM_LIGHT_V, i)));
+  if (count <= LIGHTS_ASKED) return sample_light(i, 1.0, point, place);
   uint candidates = min(count, LIGHT_CANDIDATES);
-  vec2 place = vec2(unit_float(light_bits(key, DIM_LIGHT_U)), unit_float(light_bits(key, DIM_LIGHT_V)));
-  float choice = unit_float(light_bits(key, DIM_LIGHT_SIDE)), sum = 0.0, kept = 0.0;
+  float choice = unit_float(light_bits(key, DIM_LIGHT_SIDE, i)), sum = 0.0, kept = 0.0;
   LightSample chosen;
-  for (uint i = 0u; i < candidates; ++i) {
-    uint index = i;
+  for (uint c = 0u; c < candidates; ++c) {
+    uint index = c;
     float weight = 1.0, rest;
     if (candidates < count) {
-      index = pick(first, count, light_bits(key, DIM_LIGHT) + i * (0xFFFFFFFFu / candidates), rest, weight);
+      index = pick(first, count, light_bits(key, DIM_LIGHT, i) + c * (0xFFFFFFFFu / candidates), rest, weight);
       weight /= float(candidates);
     }
     LightSample s = sample_light(index, weight, point, place);
     float given = dot(s.irradiance, vec3(1.0)) * max(dot(s.direction, normal), 0.0);
-    if (i == 0u) chosen = s;
+    if (c == 0u) chosen = s;
     if (!(given > 0.0)) continue;
     sum += given;
     bool taken = choice * sum < given;
@@ -85,7 +87,7 @@ LightSample choose_light(vec3 point, vec3 normal, uint first, uint count, Random
       kept = given;
     }
   }
-  if (kept > 0.0) chosen.irradiance *= sum / kept;
+  if (kept > 0.0) chosen.irradiance *= sum / (kept * float(LIGHTS_ASKED));
   return chosen;
 }
 

@@ -123,16 +123,18 @@ void main() {
   Face face;                                               // of the visible point
   LightSample light;
   vec3 unshadowed;
+  uint asked = 0u;  // lights
   while (end == END_CUT && met <= push.specular_bounces) {
     if (asking) {
       if (camera) {
+        if (asked == min(push.light_count, LIGHTS_ASKED)) break;
         vec3 side = s.normal, normal = dot(side, point.geometric) < 0.0 ? -point.shading : point.shading;
-        light = choose_light(point.position, normal, light_first, push.light_count, random);
+        light = choose_light(point.position, normal, light_first, push.light_count, random, asked++);
         float cosine = dot(light.direction, normal);
         unshadowed = light.irradiance * cosine;
         // Nothing will stand between: the light is in the medium that the camera path has come through.
         if (HAS_ABSORPTION && light.distance < FAR) unshadowed *= exp(-path.absorption * light.distance);
-        if (cosine <= 0.0 || dot(light.direction, side) <= 0.0 || all(equal(light.irradiance, vec3(0.0)))) break;
+        if (cosine <= 0.0 || dot(light.direction, side) <= 0.0 || all(equal(light.irradiance, vec3(0.0)))) continue;
         path.origin = leave(point.position, side);
         path.direction = light.direction;
         path.triangle = point.triangle;
@@ -155,16 +157,16 @@ void main() {
     bool missed = hit.triangle == NO_TRIANGLE;
     if (asking && camera) {
       if (missed) {
-        s.direct = unshadowed;
+        s.direct += unshadowed;
         if (HAS_GLOSS && gloss.reflects != 0u) {
           // Bounced paths meet the light, too.
           bool shared_out = push.bounces_gloss != 0u && push.bounced == 0u;
           float other = shared_out ? lobe_probability(face, s.albedo, push.gloss_only != 0u) * lobe_pdf(face, light.direction) : 0.0;
           float own = asked_pdf(light), part = own > 0.0 ? balance(own, other) : 1.0;
-          gloss.direct = gloss.throughput * unshadowed * beyond_lambert(face, s.albedo, light.direction, part);
+          gloss.direct += gloss.throughput * unshadowed * beyond_lambert(face, s.albedo, light.direction, part);
         }
       }
-      break;
+      continue;
     }
     if (asking) {
       asking = false;
@@ -310,8 +312,7 @@ void main() {
         gloss.alpha = face.alpha, gloss.f0 = face.f0, gloss.f90 = face.f90;
         gloss.throughput = arriving;
       }
-      asking = push.light_count > 0u;
-      if (!asking) break;
+      asking = true;
     } else {
       // A photon that its target scatters diffusely at once has met no specular surface.
       end = first ? END_DROPPED : point.triangle;

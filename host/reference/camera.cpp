@@ -29,19 +29,21 @@ Direct ask_lights(const Tracer& tracer, const DiffusePoint& point, const glm::dv
                   std::optional<Lobes> bounced, const shared::RandomKey& key) {
   Direct direct;
   const World& world = tracer.world();
-  if (world.lights.empty()) return direct;
-  const LightSample light = choose_light(world, point.hit.point, point.shading, key);
-  const double cosine = glm::dot(light.direction, point.shading);
-  if (cosine <= 0 || glm::dot(light.direction, point.side) <= 0 || light.irradiance == glm::dvec3(0)) return direct;
-  if (!visible(tracer, point.hit.point, point.hit.triangle, point.side, light)) return direct;
-  // Nothing stands between: the light is in the medium that the camera path has come through.
-  const double way = std::isfinite(light.distance) ? light.distance : 0;
-  direct.irradiance = light.irradiance * cosine * glm::exp(-absorption * way);
-  if (point.glossy) {
+  const std::size_t asked = std::min<std::size_t>(world.lights.size(), shared::LIGHTS_ASKED);
+  for (std::uint32_t i = 0; i < asked; ++i) {
+    const LightSample light = choose_light(world, point.hit.point, point.shading, key, i);
+    const double cosine = glm::dot(light.direction, point.shading);
+    if (cosine <= 0 || glm::dot(light.direction, point.side) <= 0 || light.irradiance == glm::dvec3(0)) continue;
+    if (!visible(tracer, point.hit.point, point.hit.triangle, point.side, light)) continue;
+    // Nothing stands between: the light is in the medium that the camera path has come through.
+    const double way = std::isfinite(light.distance) ? light.distance : 0;
+    const glm::dvec3 irradiance = light.irradiance * cosine * glm::exp(-absorption * way);
+    direct.irradiance += irradiance;
+    if (!point.glossy) continue;
     const double other = bounced ? scattering_pdf(point, *bounced, light.direction) : 0;
-    const double own = asked_pdf(world, light);
-    direct.beyond_lambert = direct.irradiance * beyond_lambert(point.face, glm::dvec3(point.surface.albedo),
-                                                               light.direction, own > 0 ? balance(own, other) : 1);
+    const double own = asked_pdf(world, light), part = own > 0 ? balance(own, other) : 1;
+    direct.beyond_lambert +=
+        irradiance * beyond_lambert(point.face, glm::dvec3(point.surface.albedo), light.direction, part);
   }
   return direct;
 }

@@ -172,26 +172,27 @@ LightSample sample_lights(const World& world, std::uint32_t first, const glm::dv
 }
 
 LightSample choose_light(const World& world, const glm::dvec3& point, const glm::dvec3& normal,
-                         const shared::RandomKey& key) {
+                         const shared::RandomKey& key, std::uint32_t i) {
   const auto unit = [&](std::uint32_t dimension) {
-    return double(shared::unit_float(shared::light_bits(key, dimension)));
+    return double(shared::unit_float(shared::light_bits(key, dimension, i)));
   };
   const auto count = static_cast<std::uint32_t>(world.lights.size());
-  const std::uint32_t candidates = std::min(count, shared::LIGHT_CANDIDATES);
   const glm::dvec2 place(unit(shared::DIM_LIGHT_U), unit(shared::DIM_LIGHT_V));
+  if (count <= shared::LIGHTS_ASKED) return sample_light(world, i, 1, point, place);
+  const std::uint32_t candidates = std::min(count, shared::LIGHT_CANDIDATES);
   double choice = unit(shared::DIM_LIGHT_SIDE), sum = 0, kept = 0;
   LightSample chosen{};
-  for (std::uint32_t i = 0; i < candidates; ++i) {
-    Picked picked{i, 0, 1};
+  for (std::uint32_t c = 0; c < candidates; ++c) {
+    Picked picked{c, 0, 1};
     if (candidates < count) {
-      const std::uint32_t bits = shared::light_bits(key, shared::DIM_LIGHT) + i * (0xFFFFFFFFu / candidates);
+      const std::uint32_t bits = shared::light_bits(key, shared::DIM_LIGHT, i) + c * (0xFFFFFFFFu / candidates);
       picked = pick(world.cdf, world.light_first, count, bits);
       picked.weight /= candidates;
     }
     const LightSample s = sample_light(world, picked.index, picked.weight, point, place);
     const double given =
         (s.irradiance.x + s.irradiance.y + s.irradiance.z) * std::max(glm::dot(s.direction, normal), 0.0);
-    if (i == 0) chosen = s;
+    if (c == 0) chosen = s;
     if (!(given > 0)) continue;
     sum += given;
     // Keeps one by one number, of which it uses up what the choice so far took.
@@ -199,7 +200,7 @@ LightSample choose_light(const World& world, const glm::dvec3& point, const glm:
     choice = std::clamp(taken ? choice * sum / given : (choice * sum - given) / (sum - given), 0.0, 1.0);
     if (taken) chosen = s, kept = given;
   }
-  if (kept > 0) chosen.irradiance *= sum / kept;
+  if (kept > 0) chosen.irradiance *= sum / (kept * shared::LIGHTS_ASKED);
   return chosen;
 }
 

@@ -76,11 +76,12 @@ LightSample sample_light(const World& world, std::uint32_t light, double weight,
 LightSample sample_lights(const World& world, std::uint32_t first, const glm::dvec3& point,
                           const shared::RandomKey& key, bool stratified);
 
-// One of the lights for a surface of this normal: the likelier, the more it would give it if nothing stood between; of
-// all lights, or of shared::LIGHT_CANDIDATES picked by power (Talbot et al., "Importance Resampling for Global
-// Illumination", EGSR 2005).
+// The i-th of the lights that a surface of this normal asks, of shared::LIGHTS_ASKED, if there are as many: the sum of
+// their irradiances stands for all. Where there are more, each is the likelier, the more it would give the surface if
+// nothing stood between; of all lights, or of shared::LIGHT_CANDIDATES picked by power (Talbot et al., "Importance
+// Resampling for Global Illumination", EGSR 2005).
 LightSample choose_light(const World& world, const glm::dvec3& point, const glm::dvec3& normal,
-                         const shared::RandomKey& key);
+                         const shared::RandomKey& key, std::uint32_t i);
 
 // The density, per solid angle, with which a light picked by power gives the direction of a point on a triangle, at
 // `distance` under `cosine` to the triangle's normal. 0: no light. Shares out what both shadow rays and lobes find: any

@@ -54,14 +54,17 @@ SHARED vec2 pixel_place(RandomKey key, uint i) {
   return vec2(unit_float(random_bits(key, 0u) + 3242174889u * i), unit_float(random_bits(key, 1u) + 2447445414u * i));
 }
 
-// Numbers that choose a light and a point on it. Those of a pixel's samples in a pass are spread evenly, too: each by the multiples of an
-// irrational number, shifted at random (the golden ratio; the R3 sequence, Roberts 2018).
-SHARED uint light_bits(RandomKey key, uint dimension) {
-  if (key.stream < STREAM_CAMERA) return random_bits(key, dimension);
+// A surface that the camera sees asks all lights, or so many, each of so many candidates picked by power, in proportion to what these would
+// give it.
+const uint LIGHTS_ASKED = 4u, LIGHT_CANDIDATES = 8u;
+
+// Numbers that choose, for a camera path, a light and a point on it: the i-th of LIGHTS_ASKED. Those of a pixel's samples in a pass are
+// spread evenly, too: each by the multiples of an irrational number, shifted at random (the golden ratio; the R3 sequence, Roberts 2018).
+SHARED uint light_bits(RandomKey key, uint dimension, uint i) {
   uint step = dimension == DIM_LIGHT ? 2654435769u : dimension == DIM_LIGHT_SIDE ? 3518319155u : dimension == DIM_LIGHT_U ? 2882110344u : 2360945575u;
-  uint sample_index = key.stream - STREAM_CAMERA;
+  uint index = LIGHTS_ASKED * (key.stream - STREAM_CAMERA) + i;
   key.stream = STREAM_CAMERA;
-  return random_bits(key, dimension) + step * sample_index;
+  return random_bits(key, dimension) + step * index;
 }
 
 SHARED uint reverse_bits(uint x) {

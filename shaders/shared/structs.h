@@ -35,9 +35,6 @@ SHARED uint medium_of(uint rank, uint surface) { return (rank << MEDIUM_SURFACE_
 const uint LIGHT_DIRECTIONAL = 0u, LIGHT_POINT = 1u, LIGHT_SPOT = 2u, LIGHT_AREA = 3u,
            LIGHT_ENVIRONMENT = 4u;
 
-// Of so many, picked by power, a surface that the camera sees asks one, in proportion to what each would give it.
-const uint LIGHT_CANDIDATES = 8u;
-
 struct Light {
   vec3 position;      // area: first corner
   uint type;          // LIGHT_*
