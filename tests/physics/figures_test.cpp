@@ -169,6 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Figure{"two_rods", MeniscusModel::paper, "bowl", {}, 0.009, 0, 0.0017},
                     Figure{"rod_end", MeniscusModel::paper, "bowl", {"rod"}, 0.008, 0.015, 0.01},
                     Figure{"curled_hair", MeniscusModel::paper, "dish", {}, 0.009, 0, 0},
+                    Figure{"hair_three_liquids", MeniscusModel::paper, "porcelain", {}, 0.008, 0, 0},
                     Figure{"glass_of_water", MeniscusModel::paper, "table", {}, 0.001, 0, 0}),
     [](const auto& tested) { return tested.param.scene; });
 
