@@ -79,8 +79,9 @@ double srgb_encode(double linear) {
   return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
 
-std::vector<std::uint8_t> tone_map(const std::vector<float>& rgb, ToneMap operation, std::optional<double> exposure) {
-  const double scale = operator_scale(rgb, operation, exposure.has_value()) * std::exp2(exposure.value_or(0));
+std::vector<std::uint8_t> tone_map_like(const std::vector<float>& like, const std::vector<float>& rgb,
+                                        ToneMap operation, std::optional<double> exposure) {
+  const double scale = operator_scale(like, operation, exposure.has_value()) * std::exp2(exposure.value_or(0));
   std::vector<std::uint8_t> bytes(rgb.size());
   std::transform(rgb.begin(), rgb.end(), bytes.begin(), [&](float v) {
     const double positive = v > 0 ? static_cast<double>(v) : 0.0;  // NaN and negative values to 0
@@ -88,6 +89,10 @@ std::vector<std::uint8_t> tone_map(const std::vector<float>& rgb, ToneMap operat
     return quantize(operation == ToneMap::aces ? aces_curve(display) : display);
   });
   return bytes;
+}
+
+std::vector<std::uint8_t> tone_map(const std::vector<float>& rgb, ToneMap operation, std::optional<double> exposure) {
+  return tone_map_like(rgb, rgb, operation, exposure);
 }
 
 }  // namespace meniscal

@@ -36,4 +36,8 @@ double srgb_encode(double linear);
 // the operator's own scale. Values that are negative or not a number become 0, infinite ones white.
 std::vector<std::uint8_t> tone_map(const std::vector<float>& rgb, ToneMap operation, std::optional<double> exposure);
 
+// The same with the scale that `like` gets: pictures to compare must not differ by how bright they are shown.
+std::vector<std::uint8_t> tone_map_like(const std::vector<float>& like, const std::vector<float>& rgb,
+                                        ToneMap operation, std::optional<double> exposure);
+
 }  // namespace meniscal
