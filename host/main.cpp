@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   meniscal::add_devices(app);
   meniscal::add_merge(app);
   meniscal::add_compare(app);
+  meniscal::add_tradeoff(app);
 
   return meniscal::run(app, argc, argv);
 }

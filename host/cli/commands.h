@@ -12,5 +12,6 @@ void add_mesh(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_merge(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_tradeoff(CLI::App& app);
 
 }  // namespace meniscal

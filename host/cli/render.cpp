@@ -11,29 +11,18 @@
 #include "host/cli/progress.h"
 #include "host/cli/render_options.h"
 #include "host/cli/render_settings.h"
+#include "host/cli/start_backend.h"
 #include "host/error.h"
 #include "host/image/atomic_file.h"
 #include "host/image/exr.h"
 #include "host/image/png.h"
-#include "host/passes/fetch_probe.h"
-#include "host/reference/backend.h"
 #include "host/render/checkpoint.h"
-#include "host/render/gpu_backend.h"
 #include "host/render/header.h"
 #include "host/render/statistics.h"
 #include "host/stopwatch.h"
 
 namespace meniscal {
 namespace {
-
-std::unique_ptr<Backend> make_backend(const std::string& device, const World& world, const RenderSettings& settings) {
-  if (settings.integrator == Integrator::path && device != "cpu")
-    throw Error(ExitCode::usage, "--integrator path: the reference path alone traces paths; add --device cpu");
-  if (device == "cpu") return std::make_unique<reference::ReferenceBackend>(world, settings);
-  gpu::Device opened = gpu::Device::open(device);
-  passes::choose_by_measurement(opened);
-  return std::make_unique<GpuBackend>(std::move(opened), world, settings);
-}
 
 void require_outputs(const RenderOptions& options) {
   require_writable(options.output);
@@ -103,8 +92,7 @@ void render(const RenderOptions& options) {
   for (const std::string& w : world.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   RenderSettings settings = choose_settings(options, scene, world);
 
-  const std::unique_ptr<Backend> backend = make_backend(options.device, world, settings);
-  focus(settings, options, world, *backend);
+  const std::unique_ptr<Backend> backend = start_backend(options, world, settings);
   Film film(settings.crop, options.aovs, options.map_scale, scene.origin);
   const PassRange asked = options.passes_to_run();
   Checkpoint so_far{{asked.first, asked.first}, {}, 0};

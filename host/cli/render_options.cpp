@@ -111,11 +111,6 @@ std::vector<std::string> parse_aovs(const std::string& option, const std::string
 }
 
 void add_transport_options(CLI::App& command, RenderOptions& options) {
-  command
-      .add_option("--device", options.device,
-                  "auto, cpu (the reference path), or a Vulkan device's index or part of its name")
-      ->type_name("DEVICE")
-      ->capture_default_str();
   add_meniscus_options(command, options.meniscus, options.meniscus_tolerance);
   add_choice<Integrator>(
       command, "--integrator", options.integrator,
@@ -177,6 +172,13 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       ->type_name("N")
       ->transform(whole(0, 1000))
       ->capture_default_str();
+  add_parsed(command, "--final-gathering", "on|off",
+             "Interreflection gathered by another bounce of camera paths, or shown as photons left it",
+             [&](const std::string& name, const std::string& text) {
+               if (text != "on" && text != "off") reject(name, text, "one of on|off");
+               options.final_gathering = text == "on";
+             })
+      ->default_str("on for final");
   command.add_option("--seed", options.seed, "Seed of the random numbers")
       ->type_name("N")
       ->transform(whole(0, std::numeric_limits<std::uint32_t>::max()))
@@ -187,18 +189,9 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       ->default_str("targeted=1,caustic=1,global=1");
 }
 
-void add_film_options(CLI::App& command, RenderOptions& options) {
-  add_parsed(
-      command, "--resolution", "WxH",
-      fmt::format("Pixels; by default {} wide, as high as the camera's aspect asks", RenderOptions::default_width),
-      [&](const std::string& name, const std::string& text) { options.resolution = parse_resolution(name, text); });
+void add_output_options(CLI::App& command, RenderOptions& options) {
   add_parsed(command, "--crop", "X0,Y0,X1,Y1", "Only pixels X0 <= x < X1, Y0 <= y < Y1, from the upper left",
              [&](const std::string& name, const std::string& text) { options.crop = parse_crop(name, text); });
-  command.add_option("--camera", options.camera, "Camera to look through; by default the scene's first")
-      ->type_name("NAME");
-}
-
-void add_output_options(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.output, "Image to write; by default SCENE's name in the current folder")
       ->type_name("OUT.exr");
   add_parsed(command, "--aov", "NAME,...|all|none",
@@ -206,22 +199,14 @@ void add_output_options(CLI::App& command, RenderOptions& options) {
              [&](const std::string& name, const std::string& text) { options.aovs = parse_aovs(name, text); })
       ->default_str("none");
   command.add_option("--preview", options.preview, "Tone-mapped 8-bit picture to write too")->type_name("FILE.png");
-  add_choice<ToneMap>(command, "--tonemap", options.tonemap,
-                      {{"ward", ToneMap::ward}, {"aces", ToneMap::aces}, {"linear", ToneMap::linear}},
-                      "Tone mapping of the preview; ward: contrast-based scale factor, as in the paper")
-      ->default_str("ward");
-  command.add_option("--exposure", options.exposure, "Brightens the preview by 2^EV")->type_name("EV")->check(finite());
+  add_tone_options(command, options.tonemap, options.exposure);
   command.add_option("--stats", options.stats, "Statistics to write")->type_name("FILE.json");
   CLI::Option* checkpoint =
       command.add_option("--checkpoint", options.checkpoint, "Keeps the rendering so far, every 10 s and at the end");
   checkpoint->type_name("FILE");
   command.add_flag("--resume", options.resume, "Goes on from the checkpoint; without one, starts anew")
       ->needs(checkpoint);
-  command.add_flag("--quiet", options.quiet, "No progress");
-  command
-      .add_flag("--json-progress", options.json_progress,
-                "Progress as JSON lines, as where standard error is no terminal")
-      ->excludes("--quiet");
+  add_progress_options(command, options.quiet, options.json_progress);
 }
 
 // No output may take the place of another or of the scene.
@@ -260,6 +245,34 @@ PassRange RenderOptions::passes_to_run() const {
   return {0, passes.value_or(time || target_error ? most_passes : preset(quality).passes)};
 }
 
+void add_view_options(CLI::App& command, RenderOptions& options, int default_width) {
+  command
+      .add_option("--device", options.device,
+                  "auto, cpu (the reference path), or a Vulkan device's index or part of its name")
+      ->type_name("DEVICE")
+      ->capture_default_str();
+  add_parsed(
+      command, "--resolution", "WxH",
+      fmt::format("Pixels; by default {} wide, as high as the camera's aspect asks", default_width),
+      [&](const std::string& name, const std::string& text) { options.resolution = parse_resolution(name, text); });
+  command.add_option("--camera", options.camera, "Camera to look through; by default the scene's first")
+      ->type_name("NAME");
+}
+
+void add_progress_options(CLI::App& command, bool& quiet, bool& json) {
+  command.add_flag("--quiet", quiet, "No progress");
+  command.add_flag("--json-progress", json, "Progress as JSON lines, as where standard error is no terminal")
+      ->excludes("--quiet");
+}
+
+void add_tone_options(CLI::App& command, ToneMap& tonemap, std::optional<double>& exposure) {
+  add_choice<ToneMap>(command, "--tonemap", tonemap,
+                      {{"ward", ToneMap::ward}, {"aces", ToneMap::aces}, {"linear", ToneMap::linear}},
+                      "Tone mapping of the preview; ward: contrast-based scale factor, as in the paper")
+      ->default_str("ward");
+  command.add_option("--exposure", exposure, "Brightens the preview by 2^EV")->type_name("EV")->check(finite());
+}
+
 void add_meniscus_options(CLI::App& command, MeniscusModel& model, double& tolerance) {
   add_choice<MeniscusModel>(
       command, "--meniscus", model,
@@ -276,8 +289,8 @@ void add_meniscus_options(CLI::App& command, MeniscusModel& model, double& toler
 
 void add_render_options(CLI::App& command, RenderOptions& options) {
   command.add_option("SCENE", options.scene, "glTF 2.0 scene, .gltf or .glb")->required();
+  add_view_options(command, options, RenderOptions::default_width);
   add_transport_options(command, options);
-  add_film_options(command, options);
   add_output_options(command, options);
   command.parse_complete_callback([&options] { finish(options); });
 }

@@ -59,6 +59,7 @@ struct RenderOptions {
   std::optional<PassRange> pass_range;
   std::optional<double> radius;  // of round footprints in pass 0, metres; not given: each photon has its own
   std::uint32_t diffuse_bounces = 4, specular_bounces = 16;
+  std::optional<bool> final_gathering;  // not given: the quality's
   std::uint32_t seed = 0;
   MapScale map_scale;
 
@@ -88,6 +89,13 @@ struct RenderOptions {
 // Adds scene and options to the subcommand; `options` must outlive the parsing. Values that are wrong by themselves, or
 // contradict each other, end it with a CLI::ParseError that names the option: exit code 2.
 void add_render_options(CLI::App& command, RenderOptions& options);
+
+// `--device`, `--resolution` and `--camera`, as every command has them that renders.
+void add_view_options(CLI::App& command, RenderOptions& options, int default_width);
+void add_progress_options(CLI::App& command, bool& quiet, bool& json);
+
+// `--tonemap` and `--exposure`, as every command has them that shows pictures.
+void add_tone_options(CLI::App& command, ToneMap& tonemap, std::optional<double>& exposure);
 
 // `--meniscus` and `--meniscus-tolerance`, as every command has them that writes menisci.
 void add_meniscus_options(CLI::App& command, MeniscusModel& model, double& tolerance);

@@ -12,8 +12,6 @@
 #include "host/world/media.h"
 
 namespace meniscal {
-namespace {
-
 const Camera& find_camera(const Scene& scene, const std::optional<std::string>& name) {
   if (!name) return scene.cameras.front();
   std::string names;
@@ -24,16 +22,18 @@ const Camera& find_camera(const Scene& scene, const std::optional<std::string>& 
   throw Error(ExitCode::usage, fmt::format("--camera {}: {} has no such camera; it has {}", *name, scene.file, names));
 }
 
+Resolution size_of(const Camera& camera, int width) {
+  const double aspect = camera.orthographic ? camera.xmag / camera.ymag : camera.aspect > 0 ? camera.aspect : 4.0 / 3.0;
+  return {width, static_cast<int>(std::max(1.0, std::round(width / aspect)))};
+}
+
+namespace {
+
 // Pixels of the whole image: as asked for, or as wide as by default and as high as the camera's aspect wants.
 void choose_size(RenderSettings& settings, const RenderOptions& options) {
-  settings.width = RenderOptions::default_width;
-  const Camera& c = settings.camera;
-  const double aspect = c.orthographic ? c.xmag / c.ymag : c.aspect > 0 ? c.aspect : 4.0 / 3.0;
-  settings.height = static_cast<std::uint32_t>(std::max(1.0, std::round(settings.width / aspect)));
-  if (options.resolution) {
-    settings.width = static_cast<std::uint32_t>(options.resolution->width);
-    settings.height = static_cast<std::uint32_t>(options.resolution->height);
-  }
+  const Resolution size = options.resolution.value_or(size_of(settings.camera, RenderOptions::default_width));
+  settings.width = static_cast<std::uint32_t>(size.width);
+  settings.height = static_cast<std::uint32_t>(size.height);
   settings.crop = options.crop.value_or(Crop{0, 0, settings.width, settings.height});
   if (settings.crop.x1 > settings.width || settings.crop.y1 > settings.height)
     throw Error(ExitCode::usage, fmt::format("--crop reaches to {},{}, beyond the image's {}x{}", settings.crop.x1,
@@ -91,7 +91,8 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
     settings.highlight_cells = static_cast<std::uint32_t>(std::max(1.0, std::round(std::sqrt(rays))));
   }
   settings.photons = photons;
-  settings.final_gathering = settings.diffuse_bounces > 0 && options.quality == Quality::final;
+  settings.final_gathering =
+      settings.diffuse_bounces > 0 && options.final_gathering.value_or(options.quality == Quality::final);
   set_beams(settings, options, world,
             options.integrator == Integrator::ordinary ? light_beams(world, photons)
                                                        : make_beams(world, default_starts(world), photons));

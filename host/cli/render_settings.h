@@ -5,6 +5,12 @@
 
 namespace meniscal {
 
+// The camera of that name; the first without one. Throws Error(ExitCode::usage) that names those there are.
+const Camera& find_camera(const Scene& scene, const std::optional<std::string>& name);
+
+// Pixels of a picture so wide, as high as the camera's aspect wants.
+Resolution size_of(const Camera& camera, int width);
+
 // Throws Error(ExitCode::usage) for a camera that the scene has not, or a crop beyond the image.
 RenderSettings choose_settings(const RenderOptions& options, const Scene& scene, const World& world);
 

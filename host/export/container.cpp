@@ -1,5 +1,7 @@
 #include "host/export/container.h"
 
+#include "host/base64.h"
+
 #include <cstdint>
 #include <limits>
 
@@ -16,18 +18,6 @@ void append_chunk(std::string& bytes, std::uint32_t type, const std::string& con
   append_word(bytes, static_cast<std::uint32_t>(content.size()));
   append_word(bytes, type);
   bytes += content;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  const auto byte = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const unsigned word = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[word >> (18 - 6 * k) & 63];
-  }
-  return text;
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/benchmark/cpu_seconds.h"
+#include "host/cpu_seconds.h"
 #include "tests/benchmark/worlds.h"
 #include "tests/support/gpu_map.h"
 #include "tests/support/scalar_gather.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "host/cpu_seconds.h"
 #include "shaders/shared/random.h"
-#include "tests/benchmark/cpu_seconds.h"
 #include "tests/benchmark/worlds.h"
 #include "tests/support/gpu_rays.h"
 

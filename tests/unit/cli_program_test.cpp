@@ -31,7 +31,7 @@ TEST(Program, SaysItsVersion) {
 
 TEST(Program, EveryCommandHasHelpWithAnExample) {
   const TemporaryFolder folder;
-  for (const std::string command : {"", "render", "info", "mesh", "devices", "merge", "compare"}) {
+  for (const std::string command : {"", "render", "info", "mesh", "devices", "merge", "compare", "tradeoff"}) {
     const Outcome o = meniscal(folder, command + " --help");
     EXPECT_EQ(o.code, 0) << command;
     EXPECT_NE(o.output.find("Example: meniscal " + command), std::string::npos) << o.output;

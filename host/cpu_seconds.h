@@ -3,7 +3,7 @@
 
 #include <sys/resource.h>
 
-namespace meniscal::bench {
+namespace meniscal {
 
 // User and system time of this process so far, s.
 inline double cpu_seconds() {
@@ -20,4 +20,4 @@ double cpu_seconds_of(const Work& work) {
   return cpu_seconds() - start;
 }
 
-}  // namespace meniscal::bench
+}  // namespace meniscal
