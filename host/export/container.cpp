@@ -1,10 +1,9 @@
 #include "host/export/container.h"
 
-#include "host/base64.h"
-
 #include <cstdint>
 #include <limits>
 
+#include "host/base64.h"
 #include "host/error.h"
 
 namespace meniscal::gltf {
