@@ -23,7 +23,8 @@ void snap_border(Topology& liquid, const std::vector<std::uint32_t>& surface, co
     }
   }
   std::map<std::size_t, std::size_t> moved;  // points, by solid
-  for (const auto& [p, normals] : outward) {
+  for (const auto& [p, across] : outward) {
+    const std::vector<glm::dvec2>& normals = across;  // lambdas of clang 14 do not capture structured bindings
     if (normals.size() != 2) continue;
     const glm::dvec3 at = liquid.points[p];
     // As far from both edges; at sharp points no farther than four times as far.

@@ -152,7 +152,9 @@ void check(const Json& value, const std::string& path, const Messages& messages)
   if (value.is_array())
     for (std::size_t i = 0; i < value.size(); ++i) check(value[i], fmt::format("{}[{}]", path, i), messages);
   if (!value.is_object()) return;
-  for (const auto& [key, member] : value.items()) {
+  for (const auto& item : value.items()) {
+    const std::string& key = item.key();
+    const Json& member = item.value();
     const std::string here = path.empty() ? key : path + "." + key;
     if (key == "extras") {  // anyone's own; ours are checked where they are read, but for what tinygltf would cut off
       check_own_integers(member, here, messages);
