@@ -8,9 +8,10 @@
 #include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfMatrixAttribute.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStdIO.h>
@@ -19,15 +20,24 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <sstream>
 
 #include "host/error.h"
 #include "host/image/atomic_file.h"
+#include "host/image/exr_guard.h"
 
 namespace meniscal {
 namespace {
 
 // A header may claim any size: 2^28 pixels (16k x 16k) is four times what renderings need, and 1 GiB a channel.
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
+
+// How many bytes of pixels a byte of file may stand for, at most: zlib makes 1032 of one, PXR24 a third more; DWA
+// keeps one number of 64 before that.
+std::uint64_t greatest_expansion(Imf::Compression compression) {
+  return compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION ? 1u << 17 : 2048;
+}
 
 std::string channel_name(const Layer& layer, const std::string& channel) {
   return layer.name.empty() ? channel : layer.name + "." + channel;
@@ -140,20 +150,33 @@ Image read_windows(const Imf::Header& header) {
   return image;
 }
 
-Image decode(Imf::InputFile& file) {
-  Image image = read_windows(file.header());
-  image.layers = list_layers(file.header().channels());
+// Before OpenEXR makes room for pixels: a few bytes of file may claim gigabytes.
+void require_plausible(const Imf::Header& header, const Image& image, std::uint64_t file_bytes) {
+  std::uint64_t pixel_bytes = 0;
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
+    if (i.channel().xSampling == 1 && i.channel().ySampling == 1) pixel_bytes += i.channel().type == Imf::HALF ? 2 : 4;
+  if (image.pixel_count() * pixel_bytes / greatest_expansion(header.compression()) > file_bytes)
+    throw std::runtime_error(fmt::format("its header claims {} x {} pixels of {} bytes, which its {} bytes cannot hold",
+                                         image.width, image.height, pixel_bytes, file_bytes));
+}
+
+Image decode(Imf::MultiPartInputFile& file, std::uint64_t file_bytes) {
+  const Imf::Header& header = file.header(0);
+  Image image = read_windows(header);
+  image.layers = list_layers(header.channels());
   if (image.layers.empty()) throw std::runtime_error("it has no channel at full resolution");
-  read_attributes(file.header(), image);
+  require_plausible(header, image, file_bytes);
+  read_attributes(header, image);
   Imf::FrameBuffer frame;
-  const Imath::Box2i window = file.header().dataWindow();
+  const Imath::Box2i window = header.dataWindow();
   for (Layer& layer : image.layers) {
     layer.pixels.resize(image.pixel_count() * layer.channels.size());
     for (std::size_t c = 0; c < layer.channels.size(); ++c)
       frame.insert(channel_name(layer, layer.channels[c]), slice(layer, c, window));
   }
-  file.setFrameBuffer(frame);
-  file.readPixels(window.min.y, window.max.y);
+  Imf::InputPart part(file, 0);
+  part.setFrameBuffer(frame);
+  part.readPixels(window.min.y, window.max.y);
   return image;
 }
 
@@ -173,8 +196,13 @@ void write_exr(const std::string& path, const Image& image) {
 
 Image read_exr(const std::string& path) {
   try {
-    Imf::InputFile file(path.c_str());
-    return decode(file);
+    const std::uint64_t file_bytes = std::filesystem::file_size(path);
+    std::ifstream stream(path, std::ios::binary);
+    require_attributes_within(stream, file_bytes);
+    Imf::MultiPartInputFile file(path.c_str());
+    return decode(file, file_bytes);
+  } catch (const std::bad_alloc&) {
+    throw Error(ExitCode::scene, fmt::format("{}: needs more memory than there is; crop or scale the image", path));
   } catch (const std::exception& error) {
     throw Error(ExitCode::scene,
                 fmt::format("{}: not a readable EXR image: {}; check the name and that the file is complete", path,
@@ -184,9 +212,12 @@ Image read_exr(const std::string& path) {
 
 Image decode_exr(std::string bytes) {
   Imf::StdISStream stream;
-  stream.str(std::move(bytes));
-  Imf::InputFile file(stream);
-  return decode(file);
+  const std::uint64_t file_bytes = bytes.size();
+  std::istringstream plain(std::move(bytes));
+  require_attributes_within(plain, file_bytes);
+  stream.str(std::move(plain).str());
+  Imf::MultiPartInputFile file(stream);
+  return decode(file, file_bytes);
 }
 
 }  // namespace meniscal

@@ -47,11 +47,18 @@ const unsigned char* view_data(const tinygltf::Model& model, int index) {
   return model.buffers[static_cast<std::size_t>(view.buffer)].data.data() + view.byteOffset;
 }
 
+// Of an accessor without a buffer view: a few bytes of file may ask for any number of zeros. (Those that nothing here
+// reads, such as morph targets', are not made.)
+constexpr std::size_t max_zero_elements = std::size_t{1} << 20;
+
 // All components of all elements, in order.
 std::vector<double> read(const tinygltf::Model& model, const tinygltf::Accessor& accessor, const std::string& object,
                          const Messages& messages) {
   const std::size_t width = element_bytes(accessor) / component_bytes(accessor.componentType);
   const std::size_t step = component_bytes(accessor.componentType);
+  if (accessor.bufferView < 0 && accessor.count > max_zero_elements)
+    messages.fail(object, fmt::format("has {} elements and no buffer view", accessor.count),
+                  fmt::format("give a buffer view, or at most {} elements", max_zero_elements));
   std::vector<double> values(accessor.count * width, 0.0);
   const auto read_element = [&](std::size_t element, const unsigned char* bytes) {
     for (std::size_t k = 0; k < width; ++k)

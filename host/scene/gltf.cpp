@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "host/scene/extras.h"
 #include "host/scene/materials.h"
@@ -87,7 +88,11 @@ Scene make_scene(const Source& source, Messages& messages) {
 
 Scene load_gltf(const std::string& path) {
   gltf::Messages messages(path);
-  return gltf::make_scene(gltf::read_source(path, messages), messages);
+  try {
+    return gltf::make_scene(gltf::read_source(path, messages), messages);
+  } catch (const std::bad_alloc&) {
+    messages.fail("scene", "needs more memory than there is", "simplify it, or use smaller images");
+  }
 }
 
 }  // namespace meniscal

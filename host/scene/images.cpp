@@ -21,6 +21,9 @@ bool is_known_kind(std::span<const unsigned char> file) {
   return bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8\xff");
 }
 
+// A byte stands for at most 8 x 8 texels a bit of a JPEG, and for 1032 bytes of 1 bit a texel of a PNG.
+constexpr std::uint64_t greatest_expansion = 1032 * 8;
+
 }  // namespace
 
 std::shared_ptr<const TextureImage> Images::decode(std::size_t index) {
@@ -44,6 +47,9 @@ std::shared_ptr<const TextureImage> Images::decode(std::size_t index) {
         object,
         fmt::format("has {} x {} texels, more than the {} left to this scene", width, height, max_texels - texels_),
         "use smaller images");
+  // Before there is room made for them.
+  check(texels <= greatest_expansion * file.size(),
+        fmt::format("it claims {} x {} texels, which its {} bytes cannot hold", width, height, file.size()));
 
   TextureImage image{.name = source.name.empty() ? source.uri : source.name};
   image.width = static_cast<std::uint32_t>(width);
@@ -55,7 +61,7 @@ std::shared_ptr<const TextureImage> Images::decode(std::size_t index) {
     decoded = stbi_load_16_from_memory(file.data(), size, &width, &height, &channels, 4);
   else
     decoded = stbi_load_from_memory(file.data(), size, &width, &height, &channels, 4);
-  check(decoded != nullptr, decoded ? "" : stbi_failure_reason());
+  check(decoded != nullptr, "it is damaged, its end is missing, or it needs more memory than there is");
   std::memcpy(image.words.data(), decoded, 4 * image.words.size());  // hosts are little-endian, as Vulkan's are
   stbi_image_free(decoded);
   texels_ += texels;
