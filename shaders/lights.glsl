@@ -1,5 +1,6 @@
 // Sampling the lights from a point.
 #include "sky.glsl"
+#include "shared/seen_triangle.h"
 
 struct LightSample {
   vec3 direction;      // from the point towards the light
@@ -16,17 +17,13 @@ LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
   Light light = fetch_light(index);
   LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0, light.media);
   if (HAS_AREA && light.type == LIGHT_AREA) {
-    float root = sqrt(place.x), v = place.y * root;
-    vec3 on_light = light.position + (1.0 - root) * light.edge1 + v * light.edge2;
-    vec3 towards = on_light - point;
-    s.distance = length(towards);
-    s.direction = towards / s.distance;
-    float cosine = -dot(s.direction, light.direction);
-    if (light.double_sided != 0u) cosine = abs(cosine);
-    s.irradiance *= max(cosine, 0.0) * light.area / (s.distance * s.distance);
-    s.irradiance *= emitted_part(light.triangle, vec2(1.0 - root, v));
+    SeenPoint seen = sample_seen_triangle(light.position - point, light.edge1, light.edge2, place);
+    s.distance = seen.distance;
+    s.direction = seen.direction;
+    bool emits = light.double_sided != 0u || dot(s.direction, light.direction) < 0.0;
+    s.irradiance *= emits ? emitted_part(light.triangle, seen.weights) * seen.solid_angle : vec3(0.0);
     s.triangle = light.triangle;
-    s.extent = sqrt(light.area * weight) / s.distance;
+    s.extent = sqrt(seen.solid_angle * weight);
   } else if (HAS_LOCAL && (light.type == LIGHT_POINT || light.type == LIGHT_SPOT)) {
     vec3 towards = light.position - point;
     s.distance = length(towards);
@@ -91,8 +88,12 @@ LightSample choose_light(vec3 point, vec3 normal, uint first, uint count, Random
   return chosen;
 }
 
-// How far a shadow ray must be free, so that the emitting triangle does not shadow itself.
-float shadow_reach(LightSample s) { return s.triangle == NO_TRIANGLE ? s.distance : s.distance * (1.0 - 1e-5); }
+// How far a shadow ray must be free that starts at `origin`, off the point that was lit, so that the emitting triangle does not shadow
+// itself.
+float shadow_reach(LightSample s, vec3 point, vec3 origin) {
+  if (s.triangle == NO_TRIANGLE) return s.distance;
+  return s.distance * (1.0 - 1e-5) - abs(dot(origin - point, s.normal) / dot(s.direction, s.normal));
+}
 
 // Index + 1 of the area light that a triangle is; 0: none.
 uint light_of(uint triangle) { return FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 2u).w; }

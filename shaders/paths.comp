@@ -153,7 +153,7 @@ void main() {
         }
       }
     }
-    Hit hit = intersect(path.origin, path.direction, asking ? shadow_reach(light) : FAR, path.triangle, asking);
+    Hit hit = intersect(path.origin, path.direction, asking ? shadow_reach(light, point.position, path.origin) : FAR, path.triangle, asking);
     bool missed = hit.triangle == NO_TRIANGLE;
     if (asking && camera) {
       if (missed) {

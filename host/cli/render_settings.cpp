@@ -9,6 +9,7 @@
 #include "host/render/highlights.h"
 #include "host/render/pilot.h"
 #include "host/render/plan.h"
+#include "host/render/stand_clear.h"
 #include "host/world/media.h"
 
 namespace meniscal {
@@ -79,6 +80,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.diffuse_bounces = options.diffuse_bounces;
   settings.camera = find_camera(scene, options.camera);
   choose_size(settings, options);
+  settings.camera.pose[3] = glm::dvec4(stand_clear(world, glm::dvec3(settings.camera.pose[3])), 1);
   settings.camera_media = media_at(world, camera_axes(settings.camera, settings.width, settings.height).origin);
   settings.footprint = pixel_footprint(world, settings);
   const std::uint32_t photons = options.photons_per_pass(settings.crop.pixels());

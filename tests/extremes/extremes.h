@@ -1,0 +1,135 @@
+// Scenes at the limits of what numbers hold, rendered by both paths.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "tests/support/scene_objects.h"
+#include "tests/support/scene_setup.h"
+
+namespace meniscal::extremes {
+
+using Picture = std::vector<glm::dvec3>;  // radiances of the pixels in one pass
+
+// Of the difference to the second, per that.
+inline double relative_rms(const Picture& a, const Picture& b) {
+  double differences = 0, squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    differences += glm::dot(a[i] - b[i], a[i] - b[i]);
+    squares += glm::dot(b[i], b[i]);
+  }
+  return std::sqrt(differences / squares);
+}
+
+inline Picture scaled(Picture picture, double factor) {
+  for (glm::dvec3& p : picture) p *= factor;
+  return picture;
+}
+
+struct Both {
+  Picture cpu, gpu;
+  Picture positions;  // of what the CPU saw
+};
+
+inline Picture layer_of(const Image& image, const std::string& name) {
+  Picture picture;
+  const auto layer =
+      std::find_if(image.layers.begin(), image.layers.end(), [&](const Layer& l) { return l.name == name; });
+  for (std::size_t i = 0; i + 2 < layer->pixels.size(); i += 3)
+    picture.emplace_back(layer->pixels[i], layer->pixels[i + 1], layer->pixels[i + 2]);
+  return picture;
+}
+
+// Of the difference of the pixels to the second's, per that; one pixel in a hundred left out, whose paths hang on
+// rounding.
+inline double difference_but_flipped(const Picture& a, const Picture& b) {
+  std::vector<double> differences;
+  double squares = 0, sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    differences.push_back(glm::dot(a[i] - b[i], a[i] - b[i]));
+    squares += glm::dot(b[i], b[i]);
+  }
+  std::sort(differences.begin(), differences.end());
+  differences.resize(differences.size() - differences.size() / 100);
+  for (const double d : differences) sum += d;
+  return sum == 0 ? 0 : std::sqrt(sum / squares);
+}
+
+// `passes` by the reference path and by the GPU. Expects numbers that are finite and not negative, and that the two
+// differ by no more than `tolerance`.
+inline Both render_both(const test::Setup& setup, double tolerance = 1e-3, std::uint32_t passes = 1) {
+  Both both;
+  const auto render = [&](Backend& backend) {
+    Film film(setup.settings.crop, {"position"}, MapScale{});
+    for (std::uint32_t pass = 0; pass < passes; ++pass) {
+      backend.render_pass(pass, [&](const Samples& samples, const View& view) { film.add(samples, view); });
+      film.end_pass(pass);
+    }
+    const Image image = film.image(setup.settings.width, setup.settings.height);
+    both.positions = layer_of(image, "position");
+    const Picture picture = layer_of(image, "");
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+      const glm::dvec3& radiance = picture[i];
+      EXPECT_TRUE(std::isfinite(radiance.x + radiance.y + radiance.z)) << "pixel " << i;
+      EXPECT_GE(std::min({radiance.x, radiance.y, radiance.z}), 0) << "pixel " << i;
+    }
+    return picture;
+  };
+  GpuBackend gpu(gpu::Device::open("auto"), setup.world, setup.settings);
+  both.gpu = render(gpu);
+  reference::ReferenceBackend cpu(setup.world, setup.settings);
+  both.cpu = render(cpu);
+  const double difference = difference_but_flipped(both.gpu, both.cpu);
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  std::printf("%s.%s: GPU off by %.2g\n", test->test_suite_name(), test->name(), difference);
+  EXPECT_LT(difference, tolerance);
+  return both;
+}
+
+// A scene and all lengths in it, capillary lengths too: its picture stays. Irradiances, radiances and angles do.
+inline void scale_by(Scene& scene, double s) {
+  scene.origin *= s;
+  for (Object& o : scene.objects)
+    for (glm::dvec3& p : o.mesh.positions) p *= s;
+  for (Camera& c : scene.cameras) {
+    c.pose[3] = glm::dvec4(glm::dvec3(c.pose[3]) * s, 1);
+    c.xmag *= s, c.ymag *= s, c.znear *= s;
+  }
+  for (PunctualLight& l : scene.lights) {
+    l.position *= s;
+    if (l.type != PunctualLight::Type::directional) l.intensity *= s * s;
+  }
+  for (Material& m : scene.materials) {
+    m.absorption /= s;
+    if (!m.liquid) continue;
+    m.liquid->surface_tension *= s * s;
+    if (m.liquid->tolerance) *m.liquid->tolerance *= s;
+  }
+}
+
+// Nothing but a white floor at y = 0, 2 `half` wide, and a camera that looks straight down on a part of it.
+inline void make_floor(Scene& scene, double half, double seen) {
+  Material white;
+  white.name = "white";
+  white.metallic = 0;
+  white.specular = 0;
+  scene.materials = {white};
+  scene.objects = {test::make_box("floor", 0, {-half, -half, -half}, {half, 0, half})};
+  scene.lights.clear();
+  scene.environment.reset();
+  scene.origin = glm::dvec3(0);
+  test::look_down_on(scene, {0, 10 * seen, 0}, seen);
+}
+
+inline PunctualLight point_light(const glm::dvec3& position, double intensity) {
+  PunctualLight light;
+  light.type = PunctualLight::Type::point;
+  light.position = position;
+  light.intensity = glm::dvec3(intensity);
+  return light;
+}
+
+}  // namespace meniscal::extremes

@@ -1,0 +1,164 @@
+// Indices of refraction and contact angles at their limits; geometry that is thin, coincident, or seen from within.
+#include "tests/extremes/extremes.h"
+
+namespace meniscal::extremes {
+namespace {
+
+double mean(const Picture& picture) {
+  double sum = 0;
+  for (const glm::dvec3& p : picture) sum += p.y / double(picture.size());
+  return sum;
+}
+
+class Ior : public testing::TestWithParam<double> {};
+
+TEST_P(Ior, GivesFiniteLight) {
+  REQUIRE_DEVICE();
+  const auto liquid_of = [](Scene& scene) {
+    for (Material& m : scene.materials)
+      if (m.liquid) m.ior = GetParam();
+  };
+  const RenderOptions options = test::small_options(40000, 48, 36);
+  const Both curved = render_both(*test::make_setup("post", options, liquid_of));
+  EXPECT_GT(mean(curved.cpu), 0);
+  if (std::abs(GetParam() - 1) > 2e-4) return;
+  // Nothing is deflected: as if the liquid were level.
+  RenderOptions flat = options;
+  flat.meniscus = MeniscusModel::none;
+  const Both level = render_both(*test::make_setup("post", flat, liquid_of));
+  EXPECT_NEAR(mean(curved.cpu) / mean(level.cpu), 1, 5e-3);
+  EXPECT_NEAR(mean(curved.gpu) / mean(level.gpu), 1, 5e-3);
+}
+INSTANTIATE_TEST_SUITE_P(Indices, Ior, testing::Values(1.0, 1.0001, 2.4, 10.0, 0.75));
+
+class ContactAngle : public testing::TestWithParam<double> {};
+
+TEST_P(ContactAngle, GivesTheSamePictureByBothPaths) {
+  REQUIRE_DEVICE();
+  for (const MeniscusModel model : {MeniscusModel::paper, MeniscusModel::exact}) {
+    RenderOptions options = test::small_options(40000, 48, 36);
+    options.meniscus = model;
+    const auto setup = test::make_setup("post", options, [](Scene& scene) {
+      for (Material& m : scene.materials) m.contact_angle = GetParam();
+    });
+    if (GetParam() == 90) {
+      EXPECT_EQ(setup->world.liquids.at(0).triangles, 0u) << "nothing is built";
+    }
+    render_both(*setup);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Degrees, ContactAngle,
+                         testing::Values(0.0, 1e-6, 90 - 1e-6, 90.0, 90 + 1e-6, 180 - 1e-6, 180.0));
+
+struct Eye {
+  const char* name;
+  glm::dvec3 from, to;
+};
+void PrintTo(const Eye& eye, std::ostream* out) { *out << eye.name; }
+class CameraAt : public testing::TestWithParam<Eye> {};
+
+TEST_P(CameraAt, SeesTheSameByBothPaths) {
+  REQUIRE_DEVICE();
+  const Eye& eye = GetParam();
+  const auto setup = test::make_setup("post", test::small_options(20000, 32, 32), [&](Scene& scene) {
+    Camera& c = scene.cameras[0];
+    c.orthographic = false;
+    c.yfov = 1;
+    const glm::dvec3 back = glm::normalize(eye.from - eye.to);
+    const glm::dvec3 right =
+        glm::normalize(glm::cross(std::abs(back.y) > 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), back));
+    c.pose = glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(back, right), 0), glm::dvec4(back, 0),
+                        glm::dvec4(eye.from - scene.origin, 1));
+  });
+  render_both(*setup, 5e-3);
+}
+// The post is 2 mm thick, its water rises by 0.9 mm; level 0, floor at -50 mm.
+INSTANTIATE_TEST_SUITE_P(Places, CameraAt,
+                         testing::Values(Eye{"on_the_level", {0.02, 0, 0}, {0, -0.05, 0}},
+                                         Eye{"under_the_level", {0.02, -1e-7, 0}, {0, 0.01, 0}},
+                                         Eye{"in_the_meniscus", {0.0023, 2e-4, 0}, {0.01, -0.05, 0}},
+                                         Eye{"in_the_solid", {0, -0.01, 0}, {0.01, -0.02, 0}},
+                                         Eye{"a_kilometre_up", {0, 1000, 0}, {0, 0, 0}}),
+                         [](const auto& tested) { return tested.param.name; });
+
+// A floor lit by a sun, in so many parts: the picture of one.
+Picture floor_of(const std::function<void(Scene&)>& divide) {
+  const auto setup = test::make_setup("post", test::small_options(1000, 32, 32), [&](Scene& scene) {
+    const PunctualLight sun = scene.lights[0];
+    make_floor(scene, 1, 0.5);
+    scene.lights = {sun};
+    divide(scene);
+  });
+  return render_both(*setup).gpu;
+}
+
+TEST(Geometry, OfCoincidentFacesIsThatOfOne) {
+  REQUIRE_DEVICE();
+  const Picture one = floor_of([](Scene&) {});
+  const Picture many = floor_of([](Scene& scene) {
+    meniscus::TriangleMesh& mesh = scene.objects[0].mesh;
+    const auto triangles = mesh.triangles;
+    for (int i = 0; i < 2000; ++i) mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
+  });
+  EXPECT_LT(relative_rms(many, one), 1e-5);
+}
+
+TEST(Geometry, OfSliversIsThatOfTheWhole) {
+  REQUIRE_DEVICE();
+  const Picture one = floor_of([](Scene&) {});
+  const Picture strips = floor_of([](Scene& scene) {
+    meniscus::TriangleMesh& mesh = scene.objects[0].mesh;
+    mesh = {};
+    const auto strip = [&](double x0, double x1) {
+      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+      for (const glm::dvec3& p : {glm::dvec3(x0, 0, -1), {x0, 0, 1}, {x1, 0, 1}, {x1, 0, -1}})
+        mesh.positions.push_back(p), mesh.normals.push_back({0, 1, 0});
+      mesh.triangles.emplace_back(first, first + 1, first + 2);
+      mesh.triangles.emplace_back(first, first + 2, first + 3);
+    };
+    constexpr double width = 2e-6;
+    constexpr int slivers = 2000;
+    strip(-1, 0);
+    for (int i = 0; i < slivers; ++i) strip(i * width, (i + 1) * width);
+    strip(slivers * width, 1);
+    scene.objects[0].closed = false;
+  });
+  EXPECT_LT(relative_rms(strips, one), 1e-5);
+}
+
+TEST(Geometry, MayBeOneTriangle) {
+  REQUIRE_DEVICE();
+  const Picture triangle = floor_of([](Scene& scene) {
+    meniscus::TriangleMesh& mesh = scene.objects[0].mesh;
+    mesh.positions = {{-3, 0, -2}, {0, 0, 4}, {3, 0, -2}};
+    mesh.normals.assign(3, {0, 1, 0});
+    mesh.triangles = {{0, 1, 2}};
+    scene.objects[0].closed = false;
+  });
+  EXPECT_LT(relative_rms(triangle, floor_of([](Scene&) {})), 1e-5);
+}
+
+TEST(Geometry, SlowMayBeFiveMillionTriangles) {
+  REQUIRE_DEVICE();
+  const Picture grid = floor_of([](Scene& scene) {
+    constexpr std::uint32_t side = 1600;
+    meniscus::TriangleMesh& mesh = scene.objects[0].mesh;
+    mesh = {};
+    for (std::uint32_t i = 0; i <= side; ++i)
+      for (std::uint32_t j = 0; j <= side; ++j) {
+        mesh.positions.emplace_back(2.0 * i / side - 1, 0, 2.0 * j / side - 1);
+        mesh.normals.emplace_back(0, 1, 0);
+      }
+    for (std::uint32_t i = 0; i < side; ++i)
+      for (std::uint32_t j = 0; j < side; ++j) {
+        const std::uint32_t a = i * (side + 1) + j, b = a + side + 1;
+        mesh.triangles.emplace_back(a, a + 1, b);
+        mesh.triangles.emplace_back(b, a + 1, b + 1);
+      }
+    scene.objects[0].closed = false;
+  });
+  EXPECT_LT(relative_rms(grid, floor_of([](Scene&) {})), 1e-5);
+}
+
+}  // namespace
+}  // namespace meniscal::extremes
