@@ -1,4 +1,6 @@
 // Indices of refraction and contact angles at their limits; geometry that is thin, coincident, or seen from within.
+#include <glm/gtc/constants.hpp>
+
 #include "tests/extremes/extremes.h"
 
 namespace meniscal::extremes {
@@ -30,6 +32,47 @@ TEST_P(Ior, GivesFiniteLight) {
   EXPECT_NEAR(mean(curved.gpu) / mean(level.gpu), 1, 5e-3);
 }
 INSTANTIATE_TEST_SUITE_P(Indices, Ior, testing::Values(1.0, 1.0001, 2.4, 10.0, 0.75));
+
+// Degrees from the vertical.
+struct Beam {
+  double ior, angle;
+};
+void PrintTo(const Beam& b, std::ostream* out) { *out << b.ior << "_at_" << b.angle; }
+class LevelLiquid : public testing::TestWithParam<Beam> {};
+
+// What Fresnel's equations let in; nothing from an index below 1 beyond the critical angle.
+double let_through(const Beam& b) {
+  const double in = glm::radians(b.angle), sine = std::sin(in) / b.ior;
+  if (sine >= 1) return 0;
+  const double c = std::cos(in), d = std::sqrt(1 - sine * sine);
+  const double s = (c - b.ior * d) / (c + b.ior * d), p = (b.ior * c - d) / (b.ior * c + d);
+  return 1 - (s * s + p * p) / 2;
+}
+
+TEST_P(LevelLiquid, LetsFresnelsPartThrough) {
+  REQUIRE_DEVICE();
+  constexpr std::uint32_t photons = 1000000;
+  const Beam& beam = GetParam();
+  const double angle = glm::radians(beam.angle);
+  const auto setup = test::make_setup("flat_water", test::small_options(photons, 16, 16), [&](Scene& scene) {
+    for (Material& m : scene.materials)
+      if (m.liquid) m.ior = beam.ior;
+    // So shallow that no light comes in beside the sheet.
+    test::move(scene, "floor", {1, 1, 1}, {0, 0.05 - 1e-4, 0});
+    test::look_down_on(scene, {0, -5e-5, 0}, 0.01);
+    scene.lights[0].direction = {std::sin(angle), -std::cos(angle), 0};
+  });
+  const Both both = render_both(*setup);
+  const double expected = 0.5 * glm::one_over_pi<double>() * std::cos(angle) * let_through(beam);
+  // A tenth of the sheet lights what is seen; 3 sigma of those photons' number that go through.
+  const double noise = 3 / std::sqrt(0.1 * photons * std::max(let_through(beam), 1e-2));
+  for (const Picture* picture : {&both.cpu, &both.gpu})
+    EXPECT_NEAR(mean(*picture), expected, std::max(0.01, noise) * expected);
+}
+INSTANTIATE_TEST_SUITE_P(Beams, LevelLiquid,
+                         testing::Values(Beam{1.0001, 0}, Beam{1.333, 0}, Beam{2.4, 0}, Beam{10, 0}, Beam{0.75, 0},
+                                         Beam{1.333, 89}, Beam{1.333, 89.5}, Beam{10, 89}, Beam{0.75, 48},
+                                         Beam{0.75, 60}));
 
 class ContactAngle : public testing::TestWithParam<double> {};
 
