@@ -4,6 +4,7 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#include <csignal>
 
 #include "host/cli/commands.h"
 #include "host/cli/run.h"
@@ -14,6 +15,10 @@ int main(int argc, char** argv) {
   // render.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
+#ifdef SIGXFSZ
+  // Files that may not grow (ulimit -f) are told of like a full disk, and nothing half-written stays.
+  std::signal(SIGXFSZ, SIG_IGN);
 #endif
   CLI::App app{"Renders glTF scenes with the menisci of their liquids, and the caustics these throw.", "meniscal"};
   app.set_version_flag("--version", "meniscal " MENISCAL_VERSION);
