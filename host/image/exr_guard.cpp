@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -29,18 +31,58 @@ std::string shown(std::string text) {
   return text.substr(0, 60);
 }
 
+// Bytes of the values that are all as long, by type (OpenEXR file layout, "Attribute types"). OpenEXR reads so many
+// whatever the header says, and would find the next attribute elsewhere than is looked for it here.
+const std::map<std::string, std::uint64_t, std::less<>> fixed_sizes = {
+    {"box2i", 16},      {"box2f", 16},   {"chromaticities", 32},
+    {"compression", 1}, {"double", 8},   {"envmap", 1},
+    {"float", 4},       {"int", 4},      {"keycode", 28},
+    {"lineOrder", 1},   {"m33f", 36},    {"m33d", 72},
+    {"m44f", 64},       {"m44d", 128},   {"rational", 8},
+    {"tiledesc", 9},    {"timecode", 8}, {"v2i", 8},
+    {"v2f", 8},         {"v2d", 16},     {"v3i", 12},
+    {"v3f", 12},        {"v3d", 24},     {"deepImageState", 1}};
+
+// How long a value at the stream's place says that it is; nothing where only the header says so.
+std::optional<std::uint64_t> own_size(std::istream& file, const std::string& type, std::uint64_t size) {
+  if (const auto fixed = fixed_sizes.find(type); fixed != fixed_sizes.end()) return fixed->second;
+  std::uint64_t own = 0;
+  if (type == "chlist") {
+    for (std::string channel; !(channel = name(file)).empty() && file; own += channel.size() + 17) file.ignore(16);
+    return own + 1;
+  }
+  if (type == "preview") {
+    const std::uint64_t width = word(file), height = word(file);
+    return height != 0 && width > size / height ? size + 1 : 8 + 4 * width * height;
+  }
+  if (type == "stringvector") {
+    while (own < size && file) {
+      const std::uint64_t length = word(file);
+      own += 4 + length;
+      file.ignore(static_cast<std::streamsize>(length));
+    }
+    return own;
+  }
+  return std::nullopt;
+}
+
 // Name, type, size and value, again and again, until a name is empty. False where there was none at all.
 bool walk_header(std::istream& file, std::uint64_t file_bytes) {
   bool any = false;
   for (std::string attribute; !(attribute = name(file)).empty(); any = true) {
-    name(file);  // of its type
+    const std::string type = name(file);
     const std::uint64_t size = word(file);
     if (!file) break;
-    const auto at = static_cast<std::uint64_t>(file.tellg());
-    if (size > file_bytes - std::min(at, file_bytes))
+    const auto at = file.tellg();
+    if (size > file_bytes - std::min(static_cast<std::uint64_t>(at), file_bytes))
       throw std::runtime_error(
           fmt::format("its attribute \"{}\" claims {} bytes, the file has {}", shown(attribute), size, file_bytes));
-    file.seekg(static_cast<std::streamoff>(size), std::ios::cur);
+    const std::uint64_t own = own_size(file, type, size).value_or(size);
+    if (own != size)
+      throw std::runtime_error(
+          fmt::format("its attribute \"{}\" is of {} bytes, not the {} that are claimed", shown(attribute), own, size));
+    file.clear();
+    file.seekg(at + static_cast<std::streamoff>(size));
   }
   return any && file;
 }
