@@ -7,18 +7,18 @@
 
 namespace meniscus {
 
-// A new vertex where segment ab crosses the constraint cd; one of the four where they meet there within rounding.
+// The vertex where segment ab crosses the constraint cd, which it parts: a new one, or one of the four where they meet
+// there within rounding.
 std::uint32_t Triangulation::cut(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   const glm::dvec2 pa = points_[a], pb = points_[b], pc = points_[c], pd = points_[d];
   const double t = cross(pc - pa, pd - pc) / cross(pb - pa, pd - pc);
   const glm::dvec2 x = pa + t * (pb - pa);
-  for (const std::uint32_t v : {a, b, c, d}) {
-    if (points_[v] == x) return v;
-  }
+  if (x == pc) return c;
+  if (x == pd) return d;
   const Crossing crossing = constraints_.at(key(c, d));
   const int sense = c < d ? 1 : -1;
   constraints_.erase(key(c, d));  // x is only nearly on cd: the two halves are put back as edges of their own
-  const std::uint32_t m = insert(x);
+  const std::uint32_t m = x == pa ? a : x == pb ? b : insert(x);
   constrain(c, m, {sense * crossing.solid, sense * crossing.patch});
   constrain(m, d, {sense * crossing.solid, sense * crossing.patch});
   return m;
