@@ -21,6 +21,18 @@ bool is_known_kind(std::span<const unsigned char> file) {
   return bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8\xff");
 }
 
+// Whether no chunk of a PNG claims more bytes than the file has left: stb_image makes room for what one claims.
+bool has_its_chunks(std::span<const unsigned char> file) {
+  for (std::size_t at = 8; at + 12 <= file.size();) {
+    const std::size_t claimed = std::size_t{file[at]} << 24 | std::size_t{file[at + 1]} << 16 |
+                                std::size_t{file[at + 2]} << 8 | std::size_t{file[at + 3]};
+    if (claimed > file.size() - at - 12) return false;
+    if (std::memcmp(&file[at + 4], "IEND", 4) == 0) break;
+    at += 12 + claimed;
+  }
+  return true;
+}
+
 // A byte stands for at most 8 x 8 texels a bit of a JPEG, and for 1032 bytes of 1 bit a texel of a PNG.
 constexpr std::uint64_t greatest_expansion = 1032 * 8;
 
@@ -38,6 +50,7 @@ std::shared_ptr<const TextureImage> Images::decode(std::size_t index) {
   const auto check = [&](bool decoded, std::string_view reason) {
     if (!decoded) messages_.fail(object, fmt::format("cannot be decoded: {}", reason), "save the image again");
   };
+  check(file[0] == 0xff || has_its_chunks(file), "a part of it claims more bytes than the file has");
   int width = 0, height = 0, channels = 0;
   check(stbi_info_from_memory(file.data(), size, &width, &height, &channels) != 0,
         "it is damaged or has a billion texels and more");

@@ -104,6 +104,17 @@ TEST_F(HostileImage, TexturesOfBillionsOfTexels) {
   }
 }
 
+TEST_F(HostileImage, PngOfChunksBeyondTheFile) {
+  const std::string png = corpus("rgb.png"), appended = png + "what some programs append";
+  write_bytes(folder / "whole.gltf", scene_with(appended, "png"));
+  EXPECT_EQ(meniscal(folder, "info \"" + folder / "whole.gltf" + "\"").code, 0);
+  for (const std::uint32_t claimed : {0x6e656c73u, 0x7fffffffu, 0xffffffffu}) {
+    std::string longer = png;
+    longer.replace(longer.find("IDAT") - 4, 4, big_endian(claimed, 4));
+    expect_refused(folder, "png.gltf", scene_with(longer, "png"), {"image 0", "claims more bytes"});
+  }
+}
+
 TEST_F(HostileImage, ExrCutOffAnywhere) {
   for (const std::string name : {"plain.exr", "zip.exr", "layers.exr"})
     for (std::size_t i = 0; i < 16; ++i) refused(cut(corpus(name), i));
@@ -140,6 +151,10 @@ TEST_F(HostileImage, ExrOfHugeAttributes) {
     refused(kExr + claims(size) + "short", {"remark", "claims"});
     refused(kMultiPart + header({0, 0, 1, 1}, 0, 2) + claims(size), {"remark", "claims"});
   }
+  // OpenEXR reads these to their own ends, and would look for the next attribute elsewhere.
+  const auto end = header({0, 0, 1, 1}, 0);
+  for (const char* type : {"box2i", "chlist", "compression", "preview", "stringvector"})
+    refused(kExr + attribute("odd", type, std::string(7, '\x01')) + end, {"odd", "that are claimed"});
   refused(kExr + std::string("\x1b[31m\0string\0", 13) + value(1000u), {"?[31m"});
 }
 
