@@ -23,10 +23,10 @@ bool is_known_kind(std::span<const unsigned char> file) {
 
 // Whether no chunk of a PNG claims more bytes than the file has left: stb_image makes room for what one claims.
 bool has_its_chunks(std::span<const unsigned char> file) {
-  for (std::size_t at = 8; at + 12 <= file.size();) {
+  for (std::size_t at = 8; at + 8 <= file.size();) {
     const std::size_t claimed = std::size_t{file[at]} << 24 | std::size_t{file[at + 1]} << 16 |
                                 std::size_t{file[at + 2]} << 8 | std::size_t{file[at + 3]};
-    if (claimed > file.size() - at - 12) return false;
+    if (claimed > file.size() - at - 8) return false;
     if (std::memcmp(&file[at + 4], "IEND", 4) == 0) break;
     at += 12 + claimed;
   }

@@ -112,6 +112,8 @@ TEST_F(HostileImage, PngOfChunksBeyondTheFile) {
     std::string longer = png;
     longer.replace(longer.find("IDAT") - 4, 4, big_endian(claimed, 4));
     expect_refused(folder, "png.gltf", scene_with(longer, "png"), {"image 0", "claims more bytes"});
+    longer.resize(longer.find("IDAT") + 4);
+    expect_refused(folder, "png.gltf", scene_with(longer, "png"), {"image 0", "claims more bytes"});
   }
 }
 
