@@ -1,6 +1,5 @@
 // Sampling the lights from a point.
 #include "sky.glsl"
-#include "shared/seen_triangle.h"
 
 struct LightSample {
   vec3 direction;      // from the point towards the light
@@ -17,13 +16,17 @@ LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
   Light light = fetch_light(index);
   LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0, light.media);
   if (HAS_AREA && light.type == LIGHT_AREA) {
-    SeenPoint seen = sample_seen_triangle(light.position - point, light.edge1, light.edge2, place);
-    s.distance = seen.distance;
-    s.direction = seen.direction;
-    bool emits = light.double_sided != 0u || dot(s.direction, light.direction) < 0.0;
-    s.irradiance *= emits ? emitted_part(light.triangle, seen.weights) * seen.solid_angle : vec3(0.0);
+    float root = sqrt(place.x), v = place.y * root;
+    vec3 on_light = light.position + (1.0 - root) * light.edge1 + v * light.edge2;
+    vec3 towards = on_light - point;
+    s.distance = length(towards);
+    s.direction = towards / s.distance;
+    float cosine = -dot(s.direction, light.direction);
+    if (light.double_sided != 0u) cosine = abs(cosine);
+    s.irradiance *= max(cosine, 0.0) * light.area / (s.distance * s.distance);
+    s.irradiance *= emitted_part(light.triangle, vec2(1.0 - root, v));
     s.triangle = light.triangle;
-    s.extent = sqrt(seen.solid_angle * weight);
+    s.extent = sqrt(light.area * weight) / s.distance;
   } else if (HAS_LOCAL && (light.type == LIGHT_POINT || light.type == LIGHT_SPOT)) {
     vec3 towards = light.position - point;
     s.distance = length(towards);

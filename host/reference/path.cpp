@@ -9,7 +9,6 @@
 #include "host/reference/reflection.h"
 #include "host/reference/sky.h"
 #include "shaders/shared/material.h"
-#include "shaders/shared/seen_triangle.h"
 
 namespace meniscal::reference {
 namespace {
@@ -220,24 +219,23 @@ LightSample sample_light(const World& world, std::uint32_t index, double weight,
     return s;
   }
 
-  const glm::dvec3 towards = glm::dvec3(light.position) - point;
+  glm::dvec3 on_light(light.position);
   if (light.type == shared::LIGHT_AREA) {
-    const shared::SeenPoint seen =
-        shared::sample_seen_triangle(glm::vec3(towards), light.edge1, light.edge2, glm::vec2(place));
-    s.distance = seen.distance, s.direction = seen.direction;
-    s.normal = axis;
+    const double root = std::sqrt(place.x), v = root * place.y;
+    on_light += (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2);
     s.triangle = light.triangle;
-    const bool emits = light.double_sided || glm::dot(s.direction, axis) < 0;
-    const glm::dvec3 on_light = point + s.distance * s.direction;
-    s.irradiance *= emits ? emitted_part(world, light.triangle, on_light) * double(seen.solid_angle) : glm::dvec3(0);
-    s.extent = std::sqrt(double(seen.solid_angle) * weight);
-    return s;
+    s.normal = axis;
   }
-  s.distance = glm::length(towards);
-  s.direction = towards / s.distance;
+  s.distance = glm::length(on_light - point);
+  s.direction = (on_light - point) / s.distance;
   s.irradiance /= s.distance * s.distance;
+  const double cosine = -glm::dot(s.direction, axis);
+  if (light.type == shared::LIGHT_AREA) {
+    s.irradiance *= emitted_part(world, light.triangle, on_light) * double(light.area) *
+                    (light.double_sided ? std::abs(cosine) : std::max(cosine, 0.0));
+    s.extent = std::sqrt(double(light.area) * weight) / s.distance;
+  }
   if (light.type == shared::LIGHT_SPOT) {
-    const double cosine = -glm::dot(s.direction, axis);
     const double falloff = std::clamp((double(light.cone_versine) - (1 - cosine)) * double(light.cone_scale), 0.0, 1.0);
     s.irradiance *= falloff * falloff;
   }
