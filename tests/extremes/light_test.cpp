@@ -6,11 +6,7 @@
 namespace meniscal::extremes {
 namespace {
 
-RenderOptions floor_options() {
-  RenderOptions options = test::small_options(1000, 32, 32);
-  options.samples = 1;
-  return options;
-}
+RenderOptions floor_options() { return test::small_options(1000, 32, 32); }
 
 // Radiance of the white floor per what it should be, in the mean and at the worst pixel.
 struct Ratio {
