@@ -99,7 +99,7 @@ void main() {
       Emission e = emit(place, beam.light_first, push.light_count, random);
       path = start_path(e.origin, e.direction, e.triangle, e.flux * power);
       if (HAS_NESTED) be_in(path, e.media);
-    } else if (beam.kind == START_IN_VIEW) {
+    } else if (HAS_DIRECTIONAL && beam.kind == START_IN_VIEW) {
       path = start_in_view(beam, place, power, random);
     } else {
       point = start_point(beam, start);

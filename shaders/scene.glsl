@@ -34,6 +34,8 @@ layout(constant_id = 17) const uint ENVIRONMENT_ROWS = 1u;
 layout(constant_id = 18) const uint ENVIRONMENT_FIRST = 0u;  // where the CDF of its rows begins; each row's own follow
 layout(constant_id = 19) const float ENVIRONMENT_TURN = 0.0;  // about +Y, of a full circle
 
+layout(constant_id = 21) const bool HAS_DIRECTIONAL = true;
+
 const bool HAS_SUNS = SUNS > 0u;
 const bool HAS_ENVIRONMENT = ENVIRONMENT_COLUMNS > 0u;
 const bool HAS_EXTENDED = HAS_AREA || HAS_SUNS || HAS_ENVIRONMENT;  // lights that show a point more than one direction

@@ -144,7 +144,8 @@ Json models_of(const Scene& scene, const World& exact) {
   for (const MeniscusModel model : {MeniscusModel::none, MeniscusModel::paper}) {
     const Stopwatch watch;
     std::vector<std::string> warnings;
-    const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, 1, warnings);
+    Stages stages;
+    const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, 1, warnings, stages);
     double error = 0;
     for (std::size_t l = 0; l < liquids.size(); ++l) {
       for (std::size_t i = 0; i < liquids[l].surface.contacts.size(); ++i) {
@@ -164,8 +165,12 @@ Json models_of(const Scene& scene, const World& exact) {
 // What `--json` prints; the text is written from the same values.
 Json describe(const Scene& scene, const World& world) {
   Json materials = Json::array();
-  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     materials.push_back(material_of(scene.materials[i], world.surfaces.at(i), scene));
+    if (std::none_of(scene.objects.begin(), scene.objects.end(),
+                     [&](const Object& o) { return static_cast<std::size_t>(o.material) == i; }))
+      materials.back()["optics"] = "of no object";
+  }
   std::size_t triangles = 0;
   for (const Object& o : scene.objects) triangles += o.mesh.triangles.size();
   std::vector<std::string> warnings = scene.warnings;

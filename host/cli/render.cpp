@@ -86,13 +86,14 @@ void render(const RenderOptions& options) {
   const Scene scene = load_gltf(options.scene);
   RunStatistics run;
   run.seconds["load"] = total.seconds();
+  run.stages.add(scene.stages);
   const World world = build_world(scene, options.meniscus, options.meniscus_tolerance);
   progress.clear();
   for (const std::string& w : scene.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   for (const std::string& w : world.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   RenderSettings settings = choose_settings(options, scene, world);
 
-  const std::unique_ptr<Backend> backend = start_backend(options, world, settings);
+  const std::unique_ptr<Backend> backend = start_backend(options, world, settings, run.stages);
   Film film(settings.crop, options.aovs, options.map_scale, scene.origin);
   const PassRange asked = options.passes_to_run();
   Checkpoint so_far{{asked.first, asked.first}, {}, 0};

@@ -63,6 +63,12 @@ void set_global(RenderSettings& settings, const World& world, std::uint32_t phot
   settings.global.discs = {radius, radius};
 }
 
+// Where nothing is specular there is nothing to look ahead for: no starts, and no paths to split.
+bool any_specular(const World& world) {
+  return std::any_of(world.surfaces.begin(), world.surfaces.end(),
+                     [](const shared::Surface& s) { return s.kind != shared::SPECULAR_NONE || s.specular > 0; });
+}
+
 void set_beams(RenderSettings& settings, const RenderOptions& options, const World& world,
                std::vector<shared::Beam> beams) {
   settings.caustics.beams = std::move(beams);
@@ -77,7 +83,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.seed = options.seed;
   settings.integrator = options.integrator;
   settings.specular_bounces = options.specular_bounces;
-  settings.diffuse_bounces = options.diffuse_bounces;
+  settings.diffuse_bounces = world.lights.empty() ? 0 : options.diffuse_bounces;
   settings.camera = find_camera(scene, options.camera);
   choose_size(settings, options);
   settings.camera.pose[3] = glm::dvec4(stand_clear(world, glm::dvec3(settings.camera.pose[3])), 1);
@@ -107,8 +113,8 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   return settings;
 }
 
-void focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend) {
-  if (settings.integrator != Integrator::targeted) return;
+bool focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend) {
+  if (settings.integrator != Integrator::targeted || !any_specular(world)) return false;
   const Pilot pilot = look_ahead(backend, world, settings);
   settings.split = pilot.split;
   // In the mean, discs may hold eight times what they would of photons spread evenly: dim places then have some, too.
@@ -119,6 +125,7 @@ void focus(RenderSettings& settings, const RenderOptions& options, const World& 
   set_beams(settings, options, world, make_beams(world, pilot.starts, budgets.caustics));
   set_global(settings, world, budgets.global, narrowing);
   backend.configure(settings);
+  return true;
 }
 
 }  // namespace meniscal

@@ -15,7 +15,7 @@ Resolution size_of(const Camera& camera, int width);
 RenderSettings choose_settings(const RenderOptions& options, const Scene& scene, const World& world);
 
 // Starts photons where the camera will see what they give: asks the backend, which was made with these settings, and
-// has it render with the better ones.
-void focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend);
+// has it render with the better ones. False: there was nothing to look for.
+bool focus(RenderSettings& settings, const RenderOptions& options, const World& world, Backend& backend);
 
 }  // namespace meniscal

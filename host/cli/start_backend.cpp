@@ -20,9 +20,11 @@ std::unique_ptr<Backend> make_backend(const std::string& device, const World& wo
 
 }  // namespace
 
-std::unique_ptr<Backend> start_backend(const RenderOptions& options, const World& world, RenderSettings& settings) {
+std::unique_ptr<Backend> start_backend(const RenderOptions& options, const World& world, RenderSettings& settings,
+                                       Stages& stages) {
   std::unique_ptr<Backend> backend = make_backend(options.device, world, settings);
-  focus(settings, options, world, *backend);
+  const Stopwatch watch;
+  if (focus(settings, options, world, *backend)) stages.add("pilot", watch.seconds());
   return backend;
 }
 

@@ -67,7 +67,8 @@ std::optional<Rendered> render(const RenderOptions& options, const Scene& scene,
   result.settings = choose_settings(options, scene, world);
   Film film(result.settings.crop, options.aovs, options.map_scale, scene.origin);
   {
-    const std::unique_ptr<Backend> backend = start_backend(options, world, result.settings);
+    Stages stages;
+    const std::unique_ptr<Backend> backend = start_backend(options, world, result.settings, stages);
     render_passes(*backend, options.passes_to_run(), film, [&](const Tallies&) {
       if (progress) progress->update(film.passes());
       return !interrupted();

@@ -54,8 +54,8 @@ size_t bytes_of(Format format) { return format == Format::r32ui ? 4 : format == 
 
 size_t texels(size_t bytes) { return std::max((bytes + texel_bytes - 1) / texel_bytes, size_t{1}); }
 
-// Memory that counts towards its heap and the device's total for as long as it lives.
-Owned<VkDeviceMemory> allocate(const std::shared_ptr<Context>& context, size_t bytes, uint32_t type,
+// Memory that counts towards its heap and the device's total for as long as it lives; in the record, as `asked`.
+Owned<VkDeviceMemory> allocate(const std::shared_ptr<Context>& context, size_t bytes, size_t asked, uint32_t type,
                                const std::string& name, const std::string& doing) {
   const uint32_t heap = context->memory.memoryTypes[type].heapIndex;
   const size_t size = context->memory.memoryHeaps[heap].size, used = context->heap_bytes[heap];
@@ -70,9 +70,11 @@ Owned<VkDeviceMemory> allocate(const std::shared_ptr<Context>& context, size_t b
   context->check(context->vk.vkAllocateMemory(context->device, &info, nullptr, &memory), doing);
   context->name(VK_OBJECT_TYPE_DEVICE_MEMORY, memory, name);
   context->account(heap, static_cast<ptrdiff_t>(bytes));
-  return {memory, [context, heap, bytes](VkDeviceMemory gone) {
+  context->record.change_buffer(name, static_cast<ptrdiff_t>(asked));
+  return {memory, [context, heap, bytes, asked, name](VkDeviceMemory gone) {
             context->vk.vkFreeMemory(context->device, gone, nullptr);  // unmaps as well
             context->account(heap, -static_cast<ptrdiff_t>(bytes));
+            context->record.change_buffer(name, -static_cast<ptrdiff_t>(asked));
           }};
 }
 
@@ -100,7 +102,7 @@ Buffer::Buffer(std::shared_ptr<Context> context, std::string name, size_t bytes,
   vk.vkGetBufferMemoryRequirements(context_->device, buffer, &needs);
   const auto type = memory_type(*context_, needs.memoryTypeBits, memory);
   if (!type) context_->check(VK_ERROR_OUT_OF_DEVICE_MEMORY, doing);
-  memory_ = allocate(context_, needs.size, *type, name_, doing);
+  memory_ = allocate(context_, needs.size, bytes_, *type, name_, doing);
   context_->check(vk.vkBindBufferMemory(context_->device, buffer, memory_.get(), 0), doing);
 
   constexpr VkMemoryPropertyFlags coherent = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;

@@ -61,6 +61,7 @@ void Commands::dispatch(const ComputePass& pass, const BindingSet& buffers, cons
   vk.vkCmdDispatch(commands, (groups - 1) / rows + 1, rows, 1);
   stop_timing();
   dispatched_.push_back(stage.empty() ? pass.name() : stage);
+  ++context_->record.passes[pass.recorded()].dispatches[dispatched_.back()];
   if (context_->end_label) context_->end_label(commands);
 }
 

@@ -6,6 +6,7 @@
 
 #include "host/gpu/choices.h"
 #include "host/gpu/owned.h"
+#include "host/gpu/record.h"
 #include "host/gpu/vulkan.h"
 
 namespace meniscal::gpu {
@@ -38,6 +39,7 @@ struct Context {
   std::mutex messages_mutex;  // layers report from any thread
   std::vector<std::string> messages;
 
+  Record record;
   size_t bytes_now = 0, bytes_peak = 0;
   std::array<size_t, VK_MAX_MEMORY_HEAPS> heap_bytes{};  // allocated now
 

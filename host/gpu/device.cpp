@@ -168,5 +168,6 @@ bool Device::has_validation() const { return context_->validation; }
 const std::vector<std::string>& Device::validation_messages() const { return context_->messages; }
 size_t Device::bytes_now() const { return context_->bytes_now; }
 size_t Device::bytes_peak() const { return context_->bytes_peak; }
+const Record& Device::record() const { return context_->record; }
 
 }  // namespace meniscal::gpu

@@ -12,6 +12,7 @@ namespace meniscal::gpu {
 
 struct Context;  // Vulkan's handles: context.h, for this folder alone
 struct Choices;  // choices.h
+struct Record;   // record.h
 
 struct DeviceInfo {
   int index;             // what `--device INDEX` names; the order the drivers report
@@ -59,6 +60,7 @@ class Device {
   const std::vector<std::string>& validation_messages() const;
   size_t bytes_now() const;  // allocated through Buffer at this moment, staging included
   size_t bytes_peak() const;
+  const Record& record() const;  // of all that it was made to do
 
   const std::shared_ptr<Context>& context() const { return context_; }
 

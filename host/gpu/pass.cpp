@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "host/error.h"
+#include "host/gpu/constants.h"
 #include "host/gpu/context.h"
 
 namespace meniscal::gpu {
@@ -87,6 +88,7 @@ ComputePass::ComputePass(const Device& device, std::string name, std::span<const
   VkPipeline pipeline = VK_NULL_HANDLE;
   context_->check(vk.vkCreateComputePipelines(vk_device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), doing);
   pipeline_ = own(context_, pipeline, name_, VK_OBJECT_TYPE_PIPELINE, vk.vkDestroyPipeline);
+  recorded_ = context_->record.add_pass(name_, named_constants(spirv, constants));
 }
 
 BindingSet ComputePass::bind(const std::vector<Bound>& buffers) const {

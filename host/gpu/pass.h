@@ -44,6 +44,7 @@ class ComputePass {
   BindingSet bind(const std::vector<Bound>& buffers) const;
 
   const std::string& name() const { return name_; }
+  size_t recorded() const { return recorded_; }  // place in Record::passes
   size_t push_bytes() const { return push_bytes_; }
   VkPipeline pipeline() const { return pipeline_.get(); }
   VkPipelineLayout layout() const { return layout_.get(); }
@@ -53,6 +54,7 @@ class ComputePass {
   std::string name_;
   std::vector<Binding> bindings_;
   size_t push_bytes_;
+  size_t recorded_ = 0;
   Owned<VkDescriptorSetLayout> set_layout_;
   Owned<VkPipelineLayout> layout_;
   Owned<VkPipeline> pipeline_;

@@ -37,10 +37,12 @@ gpu::ComputePass make_pass(const gpu::Device& device, bool texel) {
 
 CellsPass::CellsPass(const gpu::Device& device, const PhotonBuffers& photons, std::size_t capacity,
                      std::size_t cell_capacity, bool texel)
-    : listed(device, "photons by cell", capacity * 4),
-      cells(device, "grid cells", cell_capacity * 8),
-      entries_(device, "grid entries", 2 * capacity * 8),
-      counts_(device, "grid counts", counters(photons.discs.bytes() / sizeof(shared::PhotonDisc), capacity) * 4),
+    : listed(device, photons.map + "photons by cell", capacity * 4),
+      cells(device, photons.map + "grid cells", cell_capacity * 8),
+      entries_(device, photons.map + "grid entries", 2 * capacity * 8),
+      counts_(device, photons.map + "grid counts",
+              counters(photons.discs.bytes() / sizeof(shared::PhotonDisc), capacity) * 4),
+      stage_(photons.map + "grid"),
       capacity_(static_cast<std::uint32_t>(capacity)),
       pass_(make_pass(device, texel)),
       buffers_(pass_.bind({{0, photons.discs, gpu::Format::rgba32ui},
@@ -92,7 +94,7 @@ std::uint32_t CellsPass::build(gpu::Commands& commands, const Grid& grid, std::u
 }
 
 void CellsPass::dispatch(gpu::Commands& commands, const CellsPush& push, std::uint32_t invocations) {
-  commands.dispatch(pass_, buffers_, push, groups_of_64(invocations));
+  commands.dispatch(pass_, buffers_, push, groups_of_64(invocations), stage_);
   commands.barrier();
 }
 

@@ -26,6 +26,7 @@ class CellsPass {
 
   gpu::Buffer entries_;  // (key, photon): sorting goes to and fro between its halves
   gpu::Buffer counts_;   // scanned: of each photon's cells, then of each digit in each chunk; behind them the totals
+  std::string stage_;    // that its dispatches are
   std::uint32_t capacity_;
   gpu::ComputePass pass_;
   gpu::BindingSet buffers_;

@@ -23,8 +23,9 @@ std::uint32_t invocations(std::uint32_t pixels, std::uint32_t width) {
 
 GatherPass::GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
                        const std::vector<PixelTile>& tiles, bool global, bool glossy, bool texel)
-    : counters_(device, "gather counters", shared::COUNTERS * 4),
+    : counters_(device, photons.map + "gather counters", shared::COUNTERS * 4),
       pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush), {global, glossy}),
+      stage_(photons.map + "gather"),
       tiles_(tiles) {
   for (const PixelTile& tile : tiles)
     buffers_.push_back(pass_.bind({{0, photons.discs, gpu::Format::rgba32ui},
@@ -54,7 +55,7 @@ void GatherPass::run(gpu::Commands& commands, const Grid& grid, const Crop& crop
         push.first = first;
         push.count = count;
         commands.barrier();
-        commands.dispatch(pass_, buffers_[t], push, groups_of_64(count));
+        commands.dispatch(pass_, buffers_[t], push, groups_of_64(count), stage_);
       });
     }
     most = counters_.download<std::uint32_t>()[shared::COUNTER_MOST_CANDIDATES];

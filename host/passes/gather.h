@@ -20,6 +20,7 @@ class GatherPass {
  private:
   gpu::Buffer counters_;
   gpu::ComputePass pass_;
+  std::string stage_;  // that its dispatches are
   const std::vector<PixelTile>& tiles_;
   std::vector<gpu::BindingSet> buffers_;  // by tile
   Batch batch_;

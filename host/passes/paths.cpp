@@ -25,8 +25,9 @@ gpu::ComputePass make_pass(const gpu::Device& device, const SceneTables& tables,
       shader("paths", tables.texel),
       layout,
       sizeof(shared::PathPush),
-      tables.constants({.differentials = !settings.caustics.discs.round(),
-                        .emission = settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0,
+      tables.constants({.differentials = carries_differentials(settings),
+                        .emission = !world.lights.empty() &&
+                                    (settings.integrator == Integrator::ordinary || settings.diffuse_bounces > 0),
                         .scattering = settings.diffuse_bounces > 0,
                         .nested = !why_nested(world, settings.camera_media).empty(),
                         .gloss = world.glossy,
@@ -52,7 +53,7 @@ PathsPass::PathsPass(const gpu::Device& device, const World& world, const SceneT
                      const RenderSettings& settings)
     : world_(world),
       tiles_(tiles),
-      beams_(device, "beams", most_beams(world) * sizeof(shared::Beam)),
+      beams_(device, "beams", (caustics.ends.bytes() > 0 ? most_beams(world) : 0) * sizeof(shared::Beam)),
       global_beams_(device, "global beams", (global ? most_beams(world) : 0) * sizeof(shared::Beam)),
       view_(device, "camera", sizeof(shared::CameraView)),
       pass_(make_pass(device, tables, world, settings)) {
@@ -74,6 +75,7 @@ PathsPass::PathsPass(const gpu::Device& device, const World& world, const SceneT
 void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& settings, bool global, std::uint32_t pass,
                               std::uint32_t first_photon, std::uint32_t photons, const Grid& grid) {
   const PhotonSet& set = global ? settings.global : settings.caustics;
+  const std::string photons_of = global ? "global " : "";
   (global ? global_beams_ : beams_).upload(set.beams);
   shared::PathPush push = make_push(world_, settings, shared::PATHS_PHOTON, pass);
   push.beams = static_cast<std::uint32_t>(set.beams.size());
@@ -88,7 +90,8 @@ void PathsPass::trace_photons(gpu::Commands& commands, const RenderSettings& set
   photon_batch_.run(commands, photons, [&](std::uint32_t first, std::uint32_t count) {
     push.first = first_photon + first;
     push.count = count;
-    commands.dispatch(pass_, global ? *global_buffers_ : buffers_.front(), push, groups_of_64(count), "photons");
+    commands.dispatch(pass_, global ? *global_buffers_ : buffers_.front(), push, groups_of_64(count),
+                      photons_of + "photons");
   });
 }
 

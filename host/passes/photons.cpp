@@ -5,10 +5,11 @@
 
 namespace meniscal::passes {
 
-PhotonBuffers::PhotonBuffers(const gpu::Device& device, std::size_t capacity, bool glossy)
-    : ends(device, "photon ends", capacity * sizeof(shared::PhotonEnd)),
-      discs(device, "photon discs", capacity * sizeof(shared::PhotonDisc)),
-      arrivals(device, "photon arrivals", (glossy ? capacity : 1) * sizeof(std::uint32_t)) {}
+PhotonBuffers::PhotonBuffers(const gpu::Device& device, std::size_t capacity, bool glossy, bool global)
+    : map(global ? "global " : ""),
+      ends(device, map + "photon ends", capacity * sizeof(shared::PhotonEnd)),
+      discs(device, map + "photon discs", capacity * sizeof(shared::PhotonDisc)),
+      arrivals(device, map + "photon arrivals", (glossy ? capacity : 0) * sizeof(std::uint32_t)) {}
 
 namespace {
 

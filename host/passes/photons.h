@@ -8,9 +8,10 @@ namespace meniscal::passes {
 
 // One slot per started photon.
 struct PhotonBuffers {
+  std::string map;  // what names of buffers and stages begin with: "global ", or nothing for the caustics' maps
   gpu::Buffer ends, discs;
-  gpu::Buffer arrivals;  // uint: pack_direction; one where nothing asks which way a photon came
-  PhotonBuffers(const gpu::Device& device, std::size_t capacity, bool glossy);
+  gpu::Buffer arrivals;  // uint: pack_direction; none where nothing asks which way a photon came
+  PhotonBuffers(const gpu::Device& device, std::size_t capacity, bool glossy, bool global = false);
 };
 
 // The hash grid in one pass: cells of several sizes, each photon in those of its disc's size that the disc reaches

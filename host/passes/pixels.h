@@ -12,7 +12,7 @@ struct PixelTile {
   std::uint32_t first, count;  // pixels of the crop, row by row
   std::uint32_t width;         // of a row
   gpu::Buffer samples;         // PixelSample[count]
-  gpu::Buffer gloss;           // PixelGloss[count]; one where no outer face reflects
+  gpu::Buffer gloss;           // PixelGloss[count]; none where no outer face reflects
 };
 
 // Whole rows of `width` pixels each.
@@ -26,7 +26,7 @@ inline std::vector<PixelTile> make_tiles(const gpu::Device& device, std::size_t 
     const std::size_t count = std::min(rows, pixels - first);
     tiles.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), width,
                      gpu::Buffer(device, "pixel samples", count * sizeof(shared::PixelSample)),
-                     gpu::Buffer(device, "pixel gloss", (glossy ? count : 1) * sizeof(shared::PixelGloss))});
+                     gpu::Buffer(device, "pixel gloss", (glossy ? count : 0) * sizeof(shared::PixelGloss))});
   }
   return tiles;
 }

@@ -92,6 +92,8 @@ SceneTables::SceneTables(const gpu::Device& device, const World& world, std::siz
       counters(upload(device, "counters", std::vector<std::uint32_t>(shared::COUNTERS, 0))),
       scene_constants(constants_of(world)),
       sky_constants(sky_constants_of(world)),
+      has_directional(std::any_of(world.lights.begin(), world.lights.end(),
+                                  [](const shared::Light& l) { return l.type == shared::LIGHT_DIRECTIONAL; })),
       texel(allow_texel &&
             device.choices().reads_texels(std::max(
                 {largest_table, scene.bytes() / sizeof(Texel), lights.bytes() / sizeof(Texel),
@@ -112,6 +114,7 @@ std::vector<std::uint32_t> SceneTables::constants(const PathFeatures& features) 
   constants.push_back(features.highlights);
   constants.insert(constants.end(), sky_constants.begin(), sky_constants.end());
   constants.push_back(textures.kinds);
+  constants.push_back(has_directional);
   return constants;
 }
 

@@ -22,8 +22,9 @@ struct SceneTables {
   TextureTables textures;
   gpu::Buffer scene, normals, surfaces, lights, cdf, targets, environment, counters;
   // Specialisation constants of scene.glsl in order of their ids, without those of PathFeatures; the latter stand
-  // between the two, and the textures' comes last.
+  // between the two, and the textures' and the next one come last.
   std::vector<std::uint32_t> scene_constants, sky_constants;
+  bool has_directional;
   bool texel;  // tables are read through texel buffers: how shaders are to be compiled
 
   // Texel buffers are used where `allow_texel`, and where the largest table fits: `largest_table` is the number of

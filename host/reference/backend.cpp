@@ -8,11 +8,14 @@
 
 namespace meniscal::reference {
 
-std::vector<Photon> ReferenceBackend::photons(std::uint32_t pass, bool global) const {
+std::vector<Photon> ReferenceBackend::photons(std::uint32_t pass, bool global) {
   const std::uint32_t count = (global ? settings_.global : settings_.caustics).count();
   std::vector<Photon> photons;
+  if (count == 0) return photons;
+  const Stopwatch watch;
   photons.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) photons.push_back(trace_photon(tracer_, settings_, pass, i, {}, global));
+  stages_.add(global ? "global photons" : "photons", watch.seconds());
   return photons;
 }
 
@@ -22,7 +25,8 @@ std::vector<PhotonEnd> ReferenceBackend::trace_photons(std::uint32_t pass) {
   return ends;
 }
 
-Samples ReferenceBackend::trace_paths(std::uint32_t pass, const View& view) const {
+Samples ReferenceBackend::trace_paths(std::uint32_t pass, const View& view) {
+  const Stopwatch watch;
   const CameraAxes axes = camera_axes(settings_.camera, settings_.width, settings_.height);
   const Crop& crop = settings_.crop;
   Samples samples;
@@ -34,6 +38,7 @@ Samples ReferenceBackend::trace_paths(std::uint32_t pass, const View& view) cons
       samples.pixels.push_back(sample.pixel);
       if (world_.glossy) samples.gloss.push_back(sample.gloss);
     }
+  stages_.add("camera", watch.seconds());
   return samples;
 }
 
@@ -53,7 +58,8 @@ std::vector<shared::PixelSample> ReferenceBackend::trace_camera(std::uint32_t pa
 }
 
 Backend::Statistics ReferenceBackend::statistics() const {
-  return {.device_name = "cpu", .device_type = "reference", .driver = "none", .rays = tracer_.rays()};
+  return {
+      .device_name = "cpu", .device_type = "reference", .driver = "none", .rays = tracer_.rays(), .stages = stages_};
 }
 
 namespace {
@@ -119,12 +125,16 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
     for (const Photon& p : *started)
       tallies[p.map].count(p.fate(), [&](std::uint32_t triangle) { return world_.triangles[triangle].material; });
 
+  const bool gathers = !caustics.empty() || !global.empty();
+  const Stopwatch sorting;
   const PhotonMap caustics_map = make_map(caustics, settings_.caustics, pass);
   const PhotonMap global_map = make_map(global, settings_.global, pass);
+  if (gathers) stages_.add("grid", sorting.seconds());
   Samples before;
   HighlightPixels seeing(settings_.crop);
   for (const View& view : views_of(settings_)) {
     Samples samples = trace_paths(pass, view);
+    const Stopwatch gathering;
     for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
       if (samples.pixels[i].triangle >= shared::END_FIRST) continue;
       shared::PixelGloss* gloss = world_.glossy ? &samples.gloss[i] : nullptr;
@@ -133,9 +143,11 @@ Tallies ReferenceBackend::render_pass(std::uint32_t pass, const TakeSamples& tak
       else
         light(samples.pixels[i], gloss, view, caustics_map, global_map);
     }
+    if (gathers) stages_.add("gather", gathering.seconds());
     if (view.main()) seeing.add(samples.pixels);
     if (settings_.highlights != shared::HIGHLIGHTS_NONE && view.last_main(settings_))
-      samples.highlights = trace_highlights(pass, seeing.pixels());
+      if (const auto pixels = seeing.pixels(); !pixels.empty())
+        samples.highlights = stages_.run("highlights", [&] { return trace_highlights(pass, pixels); });
     take(samples, view);
     before = std::move(samples);
   }

@@ -19,8 +19,8 @@ class ReferenceBackend final : public Backend {
   Statistics statistics() const override;
 
  private:
-  std::vector<Photon> photons(std::uint32_t pass, bool global) const;
-  Samples trace_paths(std::uint32_t pass, const View& view) const;
+  std::vector<Photon> photons(std::uint32_t pass, bool global);
+  Samples trace_paths(std::uint32_t pass, const View& view);
   std::vector<glm::vec3> trace_highlights(std::uint32_t pass, const std::vector<std::uint32_t>& pixels) const;
   PhotonMap make_map(const std::vector<Photon>& photons, const PhotonSet& set, std::uint32_t pass) const;
   // Adds the maps' light to a sample; `gloss`: none where no outer face reflects.
@@ -30,6 +30,7 @@ class ReferenceBackend final : public Backend {
   const World& world_;
   RenderSettings settings_;
   Tracer tracer_;
+  Stages stages_;
 };
 
 }  // namespace meniscal::reference

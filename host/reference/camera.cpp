@@ -165,7 +165,7 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
     }
     // Discs are filters as wide as a pixel: they are gathered at its centre, however its rays are spread.
     glm::dvec3 shift = -inside.x * path.differential.place[0] - inside.y * path.differential.place[1];
-    if (bounced || settings.caustics.discs.round() || !(glm::length(shift) < most_shift(settings)))
+    if (bounced || !carries_differentials(settings) || !(glm::length(shift) < most_shift(settings)))
       shift = glm::dvec3(0);
     const Direct direct =
         ask_lights(tracer, point, path.absorption,

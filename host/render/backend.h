@@ -7,7 +7,9 @@
 #include <memory>
 #include <string>
 
+#include "host/gpu/record.h"
 #include "host/render/settings.h"
+#include "host/stages.h"
 #include "shaders/shared/branches.h"
 
 namespace meniscal {
@@ -106,7 +108,7 @@ inline float global_lobe_part(const View& view) { return view.bounced ? 1 : 0; }
 // Whether samples that end on the triangle of the one before keep its maps' irradiances: but for round discs, all of a
 // pixel are gathered at its centre, so on one triangle at one place.
 inline bool keeps_irradiance(const RenderSettings& settings, const View& view) {
-  return view.sample > 0 && !view.bounced && !settings.caustics.discs.round();
+  return view.sample > 0 && !view.bounced && carries_differentials(settings);
 }
 // Of the crop, row by row.
 struct Samples {
@@ -145,6 +147,8 @@ class Backend {
     std::uint64_t rays = 0;
     std::uint64_t traversal_limits = 0;  // rays that were cut short: must be 0
     std::uint64_t media_dropped = 0;     // more dielectrics in each other than paths keep count of: must be 0
+    gpu::Record record{};                // what ran on the device
+    Stages stages{};                     // and on the host
   };
   virtual Statistics statistics() const = 0;
 };

@@ -66,9 +66,9 @@ struct GpuBackend::Passes {
                allow_texel),
         tiles(passes::make_tiles(device, settings.crop.pixels(), settings.crop.width(), world.glossy)),
         photons(device, capacity, world.glossy),
-        global_photons(global_capacity > 0
-                           ? std::optional<passes::PhotonBuffers>(std::in_place, device, global_capacity, world.glossy)
-                           : std::nullopt),
+        global_photons(global_capacity > 0 ? std::optional<passes::PhotonBuffers>(std::in_place, device,
+                                                                                  global_capacity, world.glossy, true)
+                                           : std::nullopt),
         paths(device, world, tables, photons, global_photons ? &*global_photons : nullptr, tiles, settings) {
     if (capacity > 0) caustics.emplace(device, photons, capacity, tiles, false, world.glossy, tables.texel);
     if (global_photons)
@@ -79,7 +79,9 @@ struct GpuBackend::Passes {
   // By the stages of interface: seconds of "photons", "grid", "gather", and of set-up.
   std::map<std::string, double> seconds() const {
     std::map<std::string, double> sums = {{"upload", upload_seconds}, {"compile", compile_seconds}};
-    for (const auto& [stage, time] : commands.seconds_by_stage()) sums[stage == "cells" ? "grid" : stage] += time;
+    const std::string global_map = "global ";
+    for (const auto& [stage, time] : commands.seconds_by_stage())
+      sums[stage.starts_with(global_map) ? stage.substr(global_map.size()) : stage] += time;
     return sums;
   }
 
@@ -230,6 +232,9 @@ void GpuBackend::configure(const RenderSettings& settings) { passes_->settings =
 Backend::Statistics GpuBackend::statistics() const {
   const Passes& p = *passes_;
   const gpu::DeviceInfo& info = p.device.info();
+  Stages stages;
+  stages.add("upload", p.upload_seconds);
+  stages.add("compile", p.compile_seconds);
   return {info.name,
           info.type,
           info.driver,
@@ -237,7 +242,9 @@ Backend::Statistics GpuBackend::statistics() const {
           p.device.bytes_peak(),
           p.tables.sums[shared::COUNTER_RAYS],
           p.tables.sums[shared::COUNTER_TRAVERSAL_LIMIT],
-          p.tables.sums[shared::COUNTER_MEDIA_DROPPED]};
+          p.tables.sums[shared::COUNTER_MEDIA_DROPPED],
+          p.device.record(),
+          stages};
 }
 
 }  // namespace meniscal

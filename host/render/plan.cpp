@@ -31,10 +31,11 @@ const Stratum* find_stratum(const World& world, const std::string& name) {
 }  // namespace
 
 Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uvec4& camera_media, bool highlights) {
-  std::size_t contacts = 0;
-  for (const LiquidReport& l : world.liquids) contacts += l.contacts.size();
+  std::size_t contacts = 0, level = 0;
+  for (const LiquidReport& l : world.liquids) (l.triangles > 0 ? contacts : level) += l.contacts.size();
   Plan plan;
   plan.push_back(counted("menisci", contacts, "liquid-solid contacts"));
+  if (contacts == 0 && level > 0) plan.back().why = "the liquid stays level where it meets solids";
   for (const char* map : {"targeted", "caustic"}) {
     const Stratum* s = find_stratum(world, map);
     PlanEntry entry = counted(std::string(map) + " map", s ? s->count : 0,

@@ -84,6 +84,11 @@ struct RenderSettings {
   std::uint32_t highlights = shared::HIGHLIGHTS_NONE, highlight_cells = 0;
 };
 
+// Whether paths carry the derivatives that shape photons' discs, and that lead samples to their pixels' centres.
+inline bool carries_differentials(const RenderSettings& settings) {
+  return !settings.caustics.discs.round() && settings.caustics.count() + settings.global.count() > 0;
+}
+
 // Radius in a pass of the finest beam's discs where light is neither focused nor spread, m.
 double disc_radius(const RenderSettings& settings, std::uint32_t pass);
 

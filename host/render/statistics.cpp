@@ -89,6 +89,17 @@ Json radius_json(const RenderSettings& settings, const PassRange& passes) {
   return {disc_radius(settings, passes.first), disc_radius(settings, passes.last - 1)};
 }
 
+// What the render was not without: passes, shader variants, buffers and stages, as they were noted where they ran.
+Json ran_json(const World& world, const RunStatistics& run) {
+  Json passes = Json::array();
+  for (const gpu::PassRecord& p : run.backend.record.passes)
+    passes.push_back({{"name", p.name}, {"variant", p.variant}, {"dispatches", p.dispatches}});
+  Stages stages = run.stages;
+  stages.add(world.stages);
+  stages.add(run.backend.stages);
+  return {{"passes", passes}, {"buffers", run.backend.record.buffers}, {"stages", stages.seconds()}};
+}
+
 std::size_t host_peak_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -116,6 +127,7 @@ Json statistics_json(const World& world, const RenderSettings& settings, Meniscu
           {"radius_m", radius_json(settings, run.passes)},
           {"error_estimate", run.error_estimate < 0 ? Json() : Json(run.error_estimate)},
           {"seconds", seconds},
+          {"ran", ran_json(world, run)},
           {"rays", run.backend.rays},
           {"rays_cut_short", run.backend.traversal_limits},
           {"media_dropped", run.backend.media_dropped},

@@ -18,6 +18,7 @@ struct RunStatistics {
   Stop stop = Stop::passes;               // why there were no more
   double error_estimate = -1;             // negative: unknown
   std::map<std::string, double> seconds;  // of the host's stages: load, write, total
+  Stages stages;  // of the host that not all renders have, but for the world's and the backend's
 };
 
 nlohmann::ordered_json statistics_json(const World& world, const RenderSettings& settings, MeniscusModel model,

@@ -46,7 +46,7 @@ std::size_t scale(std::vector<glm::vec3>& colours, double strength) {
 }  // namespace
 
 std::optional<Environment> read_environment(const tinygltf::Model& model, AssetFolder& folder, Messages& messages,
-                                            std::string& file) {
+                                            std::string& file, Stages& stages) {
   if (model.scenes.empty()) return std::nullopt;
   const auto index = static_cast<std::size_t>(std::max(model.defaultScene, 0));
   const Extras extras(model.scenes[index].extras, label("scene", model.scenes[index].name, index), messages);
@@ -55,6 +55,7 @@ std::optional<Environment> read_environment(const tinygltf::Model& model, AssetF
   const std::optional<std::string> uri = extras.text("environment", {});
   if (!uri) return std::nullopt;
 
+  const Stopwatch watch;
   const std::string object = fmt::format("environment \"{}\"", *uri);
   const std::vector<unsigned char> bytes = folder.read_beside(*uri);
   file = *uri;
@@ -74,6 +75,7 @@ std::optional<Environment> read_environment(const tinygltf::Model& model, AssetF
                               image.width, image.height));
   Environment environment{image.width, image.height, colours_of(image, object, messages), glm::radians(rotation)};
   const std::size_t unusable = scale(environment.radiance, strength);
+  stages.add("environment image", watch.seconds());
   if (unusable > 0)
     messages.warn(object, fmt::format("{} numbers that are negative, infinite or none are taken as 0", unusable));
   if (std::all_of(environment.radiance.begin(), environment.radiance.end(),

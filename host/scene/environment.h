@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "host/stages.h"
+
 namespace tinygltf {
 class Model;
 }
@@ -28,7 +30,7 @@ class Messages;
 // The image that the scene's extras name (`environment`, `environment_rotation`, `environment_strength`), if they do;
 // `file`: the name.
 std::optional<Environment> read_environment(const tinygltf::Model& model, AssetFolder& folder, Messages& messages,
-                                            std::string& file);
+                                            std::string& file, Stages& stages);
 
 }  // namespace gltf
 }  // namespace meniscal

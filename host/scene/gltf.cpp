@@ -49,8 +49,9 @@ Scene assemble(const Source& source, Messages& messages) {
   const tinygltf::Model& model = source.model;
   Scene scene;
   scene.environment = source.environment;
+  scene.stages = source.stages;
   const std::vector<PlacedNode> nodes = place_nodes(model, messages);
-  scene.materials = read_materials(model, messages);
+  scene.materials = read_materials(model, messages, scene.stages);
   const std::vector<MeshParts> meshes = read_meshes(model, nodes, scene.materials, messages);
   const Box box = bounding_box(model, nodes, meshes);
   if (!(box.low.x <= box.high.x))

@@ -40,6 +40,7 @@ constexpr std::uint64_t greatest_expansion = 1032 * 8;
 
 std::shared_ptr<const TextureImage> Images::decode(std::size_t index) {
   if (decoded_[index]) return decoded_[index];
+  const Stopwatch watch;
   const tinygltf::Image& source = model_.images[index];
   const std::string object = label("image", source.name.empty() ? source.uri : source.name, index);
   const std::span<const unsigned char> file = file_of(model_, source);
@@ -78,6 +79,7 @@ std::shared_ptr<const TextureImage> Images::decode(std::size_t index) {
   std::memcpy(image.words.data(), decoded, 4 * image.words.size());  // hosts are little-endian, as Vulkan's are
   stbi_image_free(decoded);
   texels_ += texels;
+  stages_.add("images", watch.seconds());
   return decoded_[index] = std::make_shared<const TextureImage>(std::move(image));
 }
 

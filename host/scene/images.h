@@ -9,6 +9,7 @@
 
 #include "host/scene/messages.h"
 #include "host/scene/texture.h"
+#include "host/stages.h"
 
 namespace meniscal::gltf {
 
@@ -23,12 +24,14 @@ class Images {
 
   // Fails where its file is missing, is neither PNG nor JPEG, or is damaged, and above max_texels.
   std::shared_ptr<const TextureImage> decode(std::size_t index);
+  const Stages& stages() const { return stages_; }
 
  private:
   const tinygltf::Model& model_;
   const Messages& messages_;
   std::vector<std::shared_ptr<const TextureImage>> decoded_;
   std::uint64_t texels_ = 0;
+  Stages stages_;
 };
 
 }  // namespace meniscal::gltf

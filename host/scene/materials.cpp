@@ -129,11 +129,12 @@ void check_liquid_names(const std::vector<Material>& materials, Messages& messag
 
 }  // namespace
 
-std::vector<Material> read_materials(const tinygltf::Model& model, Messages& messages) {
+std::vector<Material> read_materials(const tinygltf::Model& model, Messages& messages, Stages& stages) {
   std::vector<Material> materials;
   Images images(model, messages);
   for (std::size_t i = 0; i < model.materials.size(); ++i)
     materials.push_back(read_material(model, i, images, messages));
+  stages.add(images.stages());
   check_liquid_names(materials, messages);
   return materials;
 }

@@ -11,6 +11,6 @@
 namespace meniscal::gltf {
 
 // One a glTF material, in order. Every factor is checked for its range; what is not rendered is warned of.
-std::vector<Material> read_materials(const tinygltf::Model& model, Messages& messages);
+std::vector<Material> read_materials(const tinygltf::Model& model, Messages& messages, Stages& stages);
 
 }  // namespace meniscal::gltf

@@ -11,6 +11,7 @@
 
 #include "host/scene/environment.h"
 #include "host/scene/texture.h"
+#include "host/stages.h"
 #include "meniscus/mesh.h"
 
 namespace meniscal {
@@ -102,6 +103,7 @@ struct Scene {
   std::vector<PunctualLight> lights;
   std::optional<Environment> environment;
   std::vector<std::string> warnings;  // each said once, naming the object and what was done
+  Stages stages;                      // of loading it that not all scenes have
 };
 
 // Reads a glTF 2.0 scene (.gltf or .glb). Throws Error(ExitCode::scene) that names file, object, reason and remedy.

@@ -54,9 +54,9 @@ Source read_source(const std::string& path, Messages& messages) {
   check_depth(json, messages);
   check_schema(json, messages);
   const std::string_view whole(reinterpret_cast<const char*>(file.data()), file.size());
-  Source source{path, std::string(json), parse(binary ? whole : json, binary, folder, messages), {}, {}, {}};
+  Source source{path, std::string(json), parse(binary ? whole : json, binary, folder, messages), {}, {}, {}, {}};
   validate(source.model, binary, messages);
-  source.environment = read_environment(source.model, folder, messages, source.environment_file);
+  source.environment = read_environment(source.model, folder, messages, source.environment_file, source.stages);
   source.hash = folder.hash();
   return source;
 }

@@ -17,6 +17,7 @@ struct Source {
   std::optional<Environment> environment;
   std::string environment_file;  // as the scene names it, beside itself; empty: none
   std::string hash;              // of all bytes read, hexadecimal
+  Stages stages;
 };
 
 // guard -> embedded buffers -> schema -> tinygltf -> validate. Throws Error(ExitCode::scene).

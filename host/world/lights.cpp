@@ -66,12 +66,14 @@ Powered emissive(const WorldTriangle& t, std::uint32_t index, const shared::Surf
 
 }  // namespace
 
-std::vector<shared::Light> make_lights(const Scene& scene, const World& world) {
+std::vector<shared::Light> make_lights(const Scene& scene, const World& world, Stages& stages) {
   std::vector<Powered> all;
   for (const PunctualLight& l : scene.lights) all.push_back(punctual(l, world.radius));
   const auto others = std::stable_partition(all.begin(), all.end(), [](const Powered& p) { return is_sun(p.light); });
   if (scene.environment) all.insert(others, sky(*scene.environment, world.radius));
+  const Stopwatch watch;
   const std::vector<glm::dvec3> emitted = mean_emission_factors(world);
+  if (!emitted.empty()) stages.add("emissive textures", watch.seconds());
   for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
     const shared::Surface& surface = world.surfaces[world.triangles[i].material];
     if (surface.emission != glm::vec3(0))

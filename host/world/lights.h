@@ -12,6 +12,6 @@ inline bool is_sun(const shared::Light& light) {
 }
 
 // For a world that has its triangles, surfaces and radius. Lights without power are left out.
-std::vector<shared::Light> make_lights(const Scene& scene, const World& world);
+std::vector<shared::Light> make_lights(const Scene& scene, const World& world, Stages& stages);
 
 }  // namespace meniscal

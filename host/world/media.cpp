@@ -116,11 +116,13 @@ void find_media(World& world) {
         world.nested = fmt::format("\"{}\" and \"{}\" may overlap", volumes[j].name, volumes[i].name);
   }
   if (world.nested.empty() && !absorption) return;  // nothing hangs on where lights are
+  const Stopwatch watch;
   for (shared::Light& light : world.lights) {
     if (light.type == shared::LIGHT_DIRECTIONAL || light.type == shared::LIGHT_ENVIRONMENT) continue;
     light.media = media_at(world, place_of(light, world.radius));
     if (world.nested.empty() && absorbs(world, light.media)) world.nested = "a light is in what absorbs";
   }
+  world.stages.add("media of lights", watch.seconds());
 }
 
 glm::uvec4 media_at(const World& world, const glm::dvec3& point) {

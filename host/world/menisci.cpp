@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -70,12 +71,13 @@ std::vector<meniscus::Solid> solids_for(const Scene& scene, const Material& liqu
 }  // namespace
 
 std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, double tolerance,
-                                         std::vector<std::string>& warnings) {
+                                         std::vector<std::string>& warnings, Stages& stages) {
   std::vector<LiquidSurface> liquids;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const Material& material = scene.materials[object.material];
     if (!material.liquid) continue;
+    const Stopwatch watch;
     try {
       liquids.push_back(
           {i, meniscus::build(make_liquid(scene, object, model, tolerance), solids_for(scene, material))});
@@ -83,6 +85,8 @@ std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model
       throw Error(ExitCode::scene, scene.file + ": " + error.what());
     }
     const meniscus::Surface& surface = liquids.back().surface;
+    const bool any_meniscus = std::find(surface.meniscus.begin(), surface.meniscus.end(), 1) != surface.meniscus.end();
+    stages.add(any_meniscus ? "menisci" : "level liquids", watch.seconds());
     const LiquidProperties& p = *material.liquid;
     if (model == MeniscusModel::exact && !surface.contacts.empty() &&
         ((p.height_scale != 1 && p.height_scale != 0) || p.sweep_scale != 1))

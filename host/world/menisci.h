@@ -24,9 +24,9 @@ struct LiquidSurface {
 };
 
 // One for each liquid object, in their order; `none` cuts the liquids where solids pierce them, level. Deterministic.
-// `tolerance` is a factor on how far the
-// menisci may be off. Throws Error(ExitCode::scene).
+// `tolerance` is a factor on how far the menisci may be off. `stages`: "menisci" of liquids that solids raise some in,
+// "level liquids" of others. Throws Error(ExitCode::scene).
 std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, double tolerance,
-                                         std::vector<std::string>& warnings);
+                                         std::vector<std::string>& warnings, Stages& stages);
 
 }  // namespace meniscal

@@ -73,6 +73,7 @@ void build_strata(World& world) {
   const bool lit_within = std::any_of(world.lights.begin(), world.lights.end(),
                                       [](const shared::Light& light) { return light.media.x != 0; });
   for (Stratum* s : {&targeted, &caustic}) {
+    const Stopwatch watch;
     s->first = static_cast<std::uint32_t>(world.targets.size());
     for (std::uint32_t i = 0; i < world.triangles.size(); ++i) {
       const WorldTriangle& t = world.triangles[i];
@@ -83,10 +84,16 @@ void build_strata(World& world) {
     }
     s->count = static_cast<std::uint32_t>(world.targets.size()) - s->first;
     append_cdf(world.cdf, s->count, [&](std::size_t i) { return world.triangles[world.targets[s->first + i]].area; });
-    if (s->count > 0) world.strata.push_back(*s);
+    if (s->count == 0) continue;
+    world.strata.push_back(*s);
+    world.stages.add(s->name + " map", watch.seconds());
   }
   world.light_first = static_cast<std::uint32_t>(world.cdf.size());
-  for (const shared::Light& light : world.lights) world.views.push_back(find_light_view(world, light));
+  for (const shared::Light& light : world.lights) {
+    const bool may = light.type == shared::LIGHT_DIRECTIONAL && !world.targets.empty();
+    world.views.push_back(may ? world.stages.run("light views", [&] { return find_light_view(world, light); })
+                              : std::nullopt);
+  }
   const auto power = [&](std::size_t i) { return double(world.lights[i].probability); };
   append_cdf(world.cdf, world.lights.size(), power);
   world.near_first = static_cast<std::uint32_t>(world.cdf.size());
@@ -94,7 +101,7 @@ void build_strata(World& world) {
 }
 
 void build_lights(World& world, const Scene& scene) {
-  world.lights = make_lights(scene, world);
+  world.lights = make_lights(scene, world, world.stages);
   for (std::uint32_t i = 0; i < world.lights.size(); ++i) {
     const shared::Light& light = world.lights[i];
     if (is_sun(light)) ++world.suns;
@@ -118,9 +125,10 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
   std::vector<bool> on_open(materials, false), on_closed(materials, false);
   std::vector<int> priorities;  // by surface
   for (const Object& o : scene.objects) (o.closed ? on_closed : on_open)[o.material] = true;
-  const auto add = [&](const Material& m, bool closed) {
-    world.surfaces.push_back(make_surface(m, closed));
-    world.surfaces.back().textures = add_textures(world, m);
+  const auto add = [&](const Material& m, bool closed, bool used) {
+    // What no object is made of costs nothing: it is there for its place in the table.
+    world.surfaces.push_back(used ? make_surface(m, closed) : shared::Surface{});
+    if (used) world.surfaces.back().textures = add_textures(world, m);
     world.material_names.push_back(m.name);
     priorities.push_back(dielectric_priority(m));
     return static_cast<std::uint32_t>(world.surfaces.size() - 1);
@@ -128,7 +136,7 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
   std::vector<std::uint32_t> closed_surface;
   for (std::size_t i = 0; i < materials; ++i) {
     const Material& m = scene.materials[i];
-    closed_surface.push_back(add(m, on_closed[i] && !on_open[i]));
+    closed_surface.push_back(add(m, on_closed[i] && !on_open[i], on_closed[i] || on_open[i]));
     if (largest_roughness(m) < specular_roughness) continue;
     if (m.liquid)
       world.warnings.push_back(
@@ -137,7 +145,7 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
   }
   for (std::size_t i = 0; i < materials; ++i)
     if (on_closed[i] && on_open[i] && world.surfaces[i].kind == shared::SPECULAR_THIN)
-      closed_surface[i] = add(scene.materials[i], true);
+      closed_surface[i] = add(scene.materials[i], true, true);
   rank_dielectrics(world.surfaces, priorities);
   return closed_surface;
 }
@@ -148,7 +156,8 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
   World world;
   const Stopwatch watch;
   const std::vector<std::uint32_t> closed_surface = build_surfaces(world, scene);
-  const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, meniscus_tolerance, world.warnings);
+  const std::vector<LiquidSurface> liquids =
+      raise_menisci(scene, model, meniscus_tolerance, world.warnings, world.stages);
   auto next = liquids.begin();
   for (const Object& object : scene.objects) {
     const Material& m = scene.materials[object.material];
@@ -199,7 +208,9 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
                              "through; give suns an angular_diameter, make lamps of emissive meshes");
   find_media(world);
   build_strata(world);
-  if (scene.environment) world.environment = make_environment(*scene.environment, world.cdf);
+  if (scene.environment)
+    world.environment =
+        world.stages.run("environment", [&] { return make_environment(*scene.environment, world.cdf); });
   return world;
 }
 

@@ -86,6 +86,7 @@ struct World {
   std::vector<LiquidReport> liquids;
   std::vector<std::string> warnings;
   double meniscus_seconds = 0, bvh_seconds = 0;
+  Stages stages;  // of building it that not all worlds have
 };
 
 // Raises the menisci (`none`: cuts the liquid where solids pierce it, level), flattens the scene and builds the tables.

@@ -50,7 +50,7 @@ const std::vector<Feature>& features() {
   static const std::vector<Feature> list = {
       {"gloss", no_edit, [](test::Setup& s) { s.world.glossy = true; },
        [](const test::Setup& s) {
-         return (s.settings.crop.pixels() - 1) * sizeof(shared::PixelGloss) + 4 * s.settings.caustics.count() - kEmpty;
+         return s.settings.crop.pixels() * sizeof(shared::PixelGloss) + 4 * s.settings.caustics.count() - 2 * kEmpty;
        }},
       {"nested dielectrics", no_edit, [](test::Setup& s) { s.world.nested = "forced"; }, none},
       {"emission and scattering", no_edit, [](test::Setup& s) { s.settings.diffuse_bounces = 1; }, none},
