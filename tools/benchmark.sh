@@ -3,6 +3,12 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+case " $* " in
+*" --required "*)
+  "$root/tools/build.sh" release required_benchmark
+  exec "$root/build/release/tests/benchmark/required_benchmark"
+  ;;
+esac
 python=""
 for candidate in /usr/bin/python3 python3; do
   if command -v "$candidate" >/dev/null && "$candidate" -c 'import numpy' 2>/dev/null; then

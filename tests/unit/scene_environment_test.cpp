@@ -47,6 +47,14 @@ TEST_F(SceneEnvironment, MayBeGreyOrHaveMoreChannels) {
   expect_error(under_sky().text(), {"environment \"sky.exr\"", "R, G, B"});
 }
 
+TEST_F(SceneEnvironment, IsAStageOfLoadingWhereThereIsOne) {
+  EXPECT_TRUE(load(triangle()).stages.seconds().empty());
+  write_sky(2, 1, {1, 2, 3, 4, 5, 6});
+  const auto seconds = load(under_sky()).stages.seconds();
+  EXPECT_EQ(seconds.size(), 1u);
+  EXPECT_TRUE(seconds.contains("environment image"));
+}
+
 // Merging and checkpoints tell scenes apart by their hash.
 TEST_F(SceneEnvironment, ContentsAreInTheHash) {
   write_sky(2, 1, {1, 2, 3, 4, 5, 6});

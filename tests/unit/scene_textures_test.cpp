@@ -76,6 +76,15 @@ TEST_F(SceneTextures, ImagesComeFromFilesTextAndBuffers) {
   }
 }
 
+TEST_F(SceneTextures, AreAStageOfLoadingWhereThereAreSome) {
+  Document unused = triangle();
+  unused.json["images"] = Json::array({as_data_uri(four_colors)});
+  EXPECT_TRUE(load(unused).stages.seconds().empty());
+  const auto seconds = load(textured(as_data_uri(four_colors))).stages.seconds();
+  EXPECT_EQ(seconds.size(), 1u);
+  EXPECT_TRUE(seconds.contains("images"));
+}
+
 TEST_F(SceneTextures, KindsOfImages) {
   std::string jpeg;
   stbi_write_jpg_to_func(append, &jpeg, 8, 8, 3, std::vector<std::uint8_t>(3 * 64, 128).data(), 95);

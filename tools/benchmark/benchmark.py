@@ -27,6 +27,7 @@ def main():
     parser.add_argument("--equal-time", nargs="?", const=os.path.join(ROOT, "scenes", "shadow_sausage.gltf"), metavar="SCENE",
                         help="instead: targeted against ordinary photon maps at equal CPU seconds, by default on shadow_sausage")
     parser.add_argument("--budgets", default="3,6,12,24", metavar="S,...", help="CPU seconds for --equal-time (default 3,6,12,24)")
+    parser.add_argument("--required", action="store_true", help="instead: CPU seconds of scenes with and without each feature of the plan, some minutes")
     parser.add_argument("--meniscal", default=os.path.join(ROOT, "build", "release", "meniscal"), help="program to measure")
     parser.add_argument("--folder", default=os.path.join(ROOT, "build", "benchmark"), help="where scenes, pictures and plots go")
     options = parser.parse_args()
