@@ -20,6 +20,7 @@ struct FeaturePair {
   std::function<FeatureScene(bool)> make;
   std::set<std::string> marks;  // all that the feature adds to what_ran
 };
+inline void PrintTo(const FeaturePair& pair, std::ostream* out) { *out << '"' << pair.feature << '"'; }
 
 // A floor without gloss under a lamp, and a view of both: nothing of the plan but the lamp.
 inline FeatureScene bare_scene() {
