@@ -39,5 +39,5 @@ void measure(int runs) {
 
 int main(int argc, char** argv) {
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // before a driver is loaded
-  meniscal::bench::measure(argc > 1 ? std::max(std::atoi(argv[1]), 1) : 3);
+  meniscal::bench::measure(argc > 1 ? std::max(std::atoi(argv[1]), 1) : 5);
 }
