@@ -79,7 +79,9 @@ void CreaseRow::fill(const BandPoint& a, const BandPoint& b) {
   const double sine = std::min(sine_to_crease(a), sine_to_crease(b)), square = sine * sine;
   const double slant = square > 0.5 ? 0.5 / std::sqrt(square * std::max(1 - square, 1e-6)) : 1;
   constexpr double kStep = 0.9;  // of the spacing
-  const double step = kStep * slant * grading_.spacing(std::min(a.foot.distance, b.foot.distance));
+  // Ends behind another wire's foot lie at less than no distance (see keep).
+  const double nearest = std::max(std::min(a.foot.distance, b.foot.distance), 0.0);
+  const double step = kStep * slant * grading_.spacing(nearest);
   constexpr double kMost = 1e3;
   const int parts = static_cast<int>(std::ceil(std::min(glm::distance(a.x, b.x) / step, kMost)));
   for (int k = 1; k < parts; ++k) {
