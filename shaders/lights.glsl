@@ -1,5 +1,6 @@
 // Sampling the lights from a point.
 #include "sky.glsl"
+#include "shared/seen_triangle.h"
 
 struct LightSample {
   vec3 direction;      // from the point towards the light
@@ -11,22 +12,35 @@ struct LightSample {
   uvec4 media;         // that the light is inside of
 };
 
+// The solid angle that a point of a seen triangle stands for, 1 / its density, sr.
+float angle_of_sample(SeenTriangle seen, float area, float distance, float cosine) {
+  return seen.angle > 0.0 ? seen.angle : area * cosine / (distance * distance);
+}
+
 // `weight`: 1 / probability of having chosen this light. `place`, uniform in the unit square: picks the point of an extended light.
 LightSample sample_light(uint index, float weight, vec3 point, vec2 place) {
   Light light = fetch_light(index);
   LightSample s = LightSample(-light.direction, FAR, light.intensity * weight, NO_TRIANGLE, light.direction, 0.0, light.media);
   if (HAS_AREA && light.type == LIGHT_AREA) {
-    float root = sqrt(place.x), v = place.y * root;
-    vec3 on_light = light.position + (1.0 - root) * light.edge1 + v * light.edge2;
-    vec3 towards = on_light - point;
-    s.distance = length(towards);
-    s.direction = towards / s.distance;
-    float cosine = -dot(s.direction, light.direction);
-    if (light.double_sided != 0u) cosine = abs(cosine);
-    s.irradiance *= max(cosine, 0.0) * light.area / (s.distance * s.distance);
-    s.irradiance *= emitted_part(light.triangle, vec2(1.0 - root, v));
+    vec3 corner = light.position - point;
+    SeenTriangle seen = see_triangle(corner, light.edge1, light.edge2);
+    vec2 weights;
+    bool missed = false;
+    if (seen.angle > 0.0) {
+      SeenPoint there = sample_seen_triangle(seen, corner, light.edge1, light.edge2, place);
+      s.direction = there.direction, s.distance = there.distance, weights = there.weights, missed = there.missed;
+    } else {
+      float root = sqrt(place.x);
+      weights = vec2(1.0 - root, place.y * root);
+      vec3 towards = light.position + weights.x * light.edge1 + weights.y * light.edge2 - point;
+      s.distance = length(towards);
+      s.direction = towards / s.distance;
+    }
+    float cosine = -dot(s.direction, light.direction), angle = angle_of_sample(seen, light.area, s.distance, abs(cosine));
+    if (missed || light.double_sided == 0u && cosine <= 0.0) angle = 0.0;
+    s.irradiance *= angle * emitted_part(light.triangle, weights);
     s.triangle = light.triangle;
-    s.extent = sqrt(light.area * weight) / s.distance;
+    s.extent = seen.angle > 0.0 ? min(sqrt(seen.angle * weight / abs(cosine)), MOST_EXTENT) : sqrt(light.area * weight) / s.distance;
   } else if (HAS_LOCAL && (light.type == LIGHT_POINT || light.type == LIGHT_SPOT)) {
     vec3 towards = light.position - point;
     s.distance = length(towards);
@@ -101,18 +115,19 @@ float shadow_reach(LightSample s, vec3 point, vec3 origin) {
 // Index + 1 of the area light that a triangle is; 0: none.
 uint light_of(uint triangle) { return FETCH(scene, 4u * (TRIANGLE_BASE + triangle) + 2u).w; }
 
-// The density, per solid angle, with which a light picked by power gives the direction of a point on a triangle, at `distance` under
+// The density, per solid angle, with which a light picked by power gives a point the direction of one on a triangle, at `distance` under
 // `cosine` to the triangle's normal. 0: no light. Shares out what both shadow rays and lobes find: any function would do that both know.
-float area_light_pdf(uint triangle, float distance, float cosine) {
+float area_light_pdf(uint triangle, vec3 point, float distance, float cosine) {
   if (!HAS_AREA) return 0.0;
   uint light = light_of(triangle);
   if (light == 0u) return 0.0;
   Light l = fetch_light(light - 1u);
-  return l.probability * distance * distance / (l.area * cosine);
+  return l.probability / angle_of_sample(see_triangle(l.position - point, l.edge1, l.edge2), l.area, distance, cosine);
 }
 
 // The same of a light sample. 0: a point or a direction, which no path meets by chance.
-float asked_pdf(LightSample s) {
+float asked_pdf(LightSample s, vec3 point) {
   if (s.extent == 0.0) return 0.0;
-  return s.triangle == NO_TRIANGLE ? sky(s.direction, false).pdf : area_light_pdf(s.triangle, s.distance, abs(dot(s.normal, s.direction)));
+  if (s.triangle == NO_TRIANGLE) return sky(s.direction, false).pdf;
+  return area_light_pdf(s.triangle, point, s.distance, abs(dot(s.normal, s.direction)));
 }

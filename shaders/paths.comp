@@ -135,6 +135,7 @@ void main() {
         // Nothing will stand between: the light is in the medium that the camera path has come through.
         if (HAS_ABSORPTION && light.distance < FAR) unshadowed *= exp(-path.absorption * light.distance);
         if (cosine <= 0.0 || dot(light.direction, side) <= 0.0 || all(equal(light.irradiance, vec3(0.0)))) continue;
+        if (HAS_AREA && light.triangle == point.triangle) continue;
         path.origin = leave(point.position, side);
         path.direction = light.direction;
         path.triangle = point.triangle;
@@ -147,7 +148,7 @@ void main() {
         if (HAS_DIFFERENTIALS) path.differential = start_differential(point.geometric, -light.direction, light.distance);
         if (HAS_DIFFERENTIALS && HAS_EXTENDED) path.by_light = light_differential(light.normal, light.extent, -light.direction);
         entered = mean(path.throughput);
-        if (!(entered > 0.0)) {
+        if (!(entered > 0.0) || HAS_AREA && light.triangle == point.triangle) {
           end = END_BLOCKED;
           break;
         }
@@ -162,7 +163,7 @@ void main() {
           // Bounced paths meet the light, too.
           bool shared_out = push.bounces_gloss != 0u && push.bounced == 0u;
           float other = shared_out ? lobe_probability(face, s.albedo, push.gloss_only != 0u) * lobe_pdf(face, light.direction) : 0.0;
-          float own = asked_pdf(light), part = own > 0.0 ? balance(own, other) : 1.0;
+          float own = asked_pdf(light, point.position), part = own > 0.0 ? balance(own, other) : 1.0;
           gloss.direct += gloss.throughput * unshadowed * beyond_lambert(face, s.albedo, light.direction, part);
         }
       }
@@ -204,7 +205,7 @@ void main() {
       }
       bool theirs = HIGHLIGHTS == HIGHLIGHTS_ALL && in_meniscus && light_of(point.triangle) != 0u;
       if ((front || surface.double_sided != 0u) && !theirs) {
-        float asked = HAS_GLOSS && straight ? area_light_pdf(point.triangle, hit.t, abs(dot(point.geometric, path.direction))) : 0.0;
+        float asked = HAS_GLOSS && straight ? area_light_pdf(point.triangle, path.origin, hit.t, abs(dot(point.geometric, path.direction))) : 0.0;
         s.emitted += path.throughput * path.radiance_scale * surface.emission * seen_part(bounce, straight, asked);
       }
       straight = in_meniscus = false;

@@ -34,6 +34,7 @@ Direct ask_lights(const Tracer& tracer, const DiffusePoint& point, const glm::dv
     const LightSample light = choose_light(world, point.hit.point, point.shading, key, i);
     const double cosine = glm::dot(light.direction, point.shading);
     if (cosine <= 0 || glm::dot(light.direction, point.side) <= 0 || light.irradiance == glm::dvec3(0)) continue;
+    if (light.triangle == point.hit.triangle) continue;  // by rounding
     if (!visible(tracer, point.hit.point, point.hit.triangle, point.side, light)) continue;
     // Nothing stands between: the light is in the medium that the camera path has come through.
     const double way = std::isfinite(light.distance) ? light.distance : 0;
@@ -41,7 +42,7 @@ Direct ask_lights(const Tracer& tracer, const DiffusePoint& point, const glm::dv
     direct.irradiance += irradiance;
     if (!point.glossy) continue;
     const double other = bounced ? scattering_pdf(point, *bounced, light.direction) : 0;
-    const double own = asked_pdf(world, light), part = own > 0 ? balance(own, other) : 1;
+    const double own = asked_pdf(world, light, point.hit.point), part = own > 0 ? balance(own, other) : 1;
     direct.beyond_lambert +=
         irradiance * beyond_lambert(point.face, glm::dvec3(point.surface.albedo), light.direction, part);
   }
@@ -119,7 +120,7 @@ CameraSample trace_camera_path(const Tracer& tracer, const RenderSettings& setti
     const bool theirs = in_meniscus && triangle.light > 0 && settings.highlights == shared::HIGHLIGHTS_ALL;
     if ((front || surface.double_sided) && !theirs)
       emitted += throughput * glm::dvec3(surface.emission) *
-                 part(area_light_pdf(world, hit->triangle, hit->t,
+                 part(area_light_pdf(world, hit->triangle, path.ray.origin, hit->t,
                                      std::abs(glm::dot(triangle.geometric, path.ray.direction))));
     straight = in_meniscus = false;
     if (pass_straight(path, *hit, tracer)) continue;

@@ -9,6 +9,7 @@
 #include "host/reference/reflection.h"
 #include "host/reference/sky.h"
 #include "shaders/shared/material.h"
+#include "shaders/shared/seen_triangle.h"
 
 namespace meniscal::reference {
 namespace {
@@ -204,6 +205,19 @@ LightSample choose_light(const World& world, const glm::dvec3& point, const glm:
   return chosen;
 }
 
+namespace {
+
+shared::SeenTriangle see(const shared::Light& light, const glm::dvec3& point) {
+  return shared::see_triangle(glm::vec3(glm::dvec3(light.position) - point), light.edge1, light.edge2);
+}
+
+// The solid angle that a point of a seen triangle stands for, 1 / its density, sr.
+double angle_of_sample(const shared::SeenTriangle& seen, double area, double distance, double cosine) {
+  return seen.angle > 0 ? double(seen.angle) : area * cosine / (distance * distance);
+}
+
+}  // namespace
+
 LightSample sample_light(const World& world, std::uint32_t index, double weight, const glm::dvec3& point,
                          const glm::dvec2& place) {
   const shared::Light& light = world.lights[index];
@@ -219,39 +233,56 @@ LightSample sample_light(const World& world, std::uint32_t index, double weight,
     return s;
   }
 
-  glm::dvec3 on_light(light.position);
   if (light.type == shared::LIGHT_AREA) {
-    const double root = std::sqrt(place.x), v = root * place.y;
-    on_light += (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2);
+    const shared::SeenTriangle seen = see(light, point);
+    glm::dvec3 towards;
+    bool missed = false;
+    if (seen.angle > 0) {
+      const shared::SeenPoint there = shared::sample_seen_triangle(seen, glm::vec3(glm::dvec3(light.position) - point),
+                                                                   light.edge1, light.edge2, glm::vec2(place));
+      towards = double(there.distance) * glm::dvec3(there.direction);
+      missed = there.missed;
+    } else {
+      const double root = std::sqrt(place.x), v = root * place.y;
+      towards = glm::dvec3(light.position) + (1 - root) * glm::dvec3(light.edge1) + v * glm::dvec3(light.edge2) - point;
+    }
+    s.distance = glm::length(towards);
+    s.direction = towards / s.distance;
     s.triangle = light.triangle;
     s.normal = axis;
+    const double cosine = -glm::dot(s.direction, axis);
+    const bool emits = !missed && (light.double_sided || cosine > 0);
+    const double angle = emits ? angle_of_sample(seen, double(light.area), s.distance, std::abs(cosine)) : 0;
+    s.irradiance *= angle * emitted_part(world, light.triangle, point + towards);
+    s.extent = seen.angle > 0 ? std::min(std::sqrt(double(seen.angle) * weight / std::abs(cosine)), most_extent)
+                              : std::sqrt(double(light.area) * weight) / s.distance;
+    return s;
   }
-  s.distance = glm::length(on_light - point);
-  s.direction = (on_light - point) / s.distance;
+  s.distance = glm::length(glm::dvec3(light.position) - point);
+  s.direction = (glm::dvec3(light.position) - point) / s.distance;
   s.irradiance /= s.distance * s.distance;
-  const double cosine = -glm::dot(s.direction, axis);
-  if (light.type == shared::LIGHT_AREA) {
-    s.irradiance *= emitted_part(world, light.triangle, on_light) * double(light.area) *
-                    (light.double_sided ? std::abs(cosine) : std::max(cosine, 0.0));
-    s.extent = std::sqrt(double(light.area) * weight) / s.distance;
-  }
   if (light.type == shared::LIGHT_SPOT) {
+    const double cosine = -glm::dot(s.direction, axis);
     const double falloff = std::clamp((double(light.cone_versine) - (1 - cosine)) * double(light.cone_scale), 0.0, 1.0);
     s.irradiance *= falloff * falloff;
   }
   return s;
 }
 
-double area_light_pdf(const World& world, std::uint32_t triangle, double distance, double cosine) {
-  const std::uint32_t light = world.triangles[triangle].light;
-  if (light == 0) return 0;
-  return double(world.lights[light - 1].probability) * distance * distance / (world.triangles[triangle].area * cosine);
+double area_light_pdf(const World& world, std::uint32_t triangle, const glm::dvec3& point, double distance,
+                      double cosine) {
+  const std::uint32_t index = world.triangles[triangle].light;
+  if (index == 0) return 0;
+  const shared::Light& light = world.lights[index - 1];
+  return double(light.probability) /
+         angle_of_sample(see(light, point), world.triangles[triangle].area, distance, cosine);
 }
 
-double asked_pdf(const World& world, const LightSample& light) {
+double asked_pdf(const World& world, const LightSample& light, const glm::dvec3& point) {
   if (light.extent == 0) return 0;
   if (light.triangle == no_triangle) return sky(world, light.direction).pdf;
-  return area_light_pdf(world, light.triangle, light.distance, std::abs(glm::dot(light.normal, light.direction)));
+  return area_light_pdf(world, light.triangle, point, light.distance,
+                        std::abs(glm::dot(light.normal, light.direction)));
 }
 
 bool visible(const Tracer& tracer, const glm::dvec3& point, std::uint32_t triangle, const glm::dvec3& side,

@@ -83,13 +83,14 @@ LightSample sample_lights(const World& world, std::uint32_t first, const glm::dv
 LightSample choose_light(const World& world, const glm::dvec3& point, const glm::dvec3& normal,
                          const shared::RandomKey& key, std::uint32_t i);
 
-// The density, per solid angle, with which a light picked by power gives the direction of a point on a triangle, at
+// The density, per solid angle, with which a light picked by power gives a point the direction of one on a triangle, at
 // `distance` under `cosine` to the triangle's normal. 0: no light. Shares out what both shadow rays and lobes find: any
 // function would do that both know.
-double area_light_pdf(const World& world, std::uint32_t triangle, double distance, double cosine);
+double area_light_pdf(const World& world, std::uint32_t triangle, const glm::dvec3& point, double distance,
+                      double cosine);
 
 // The same of a light sample. 0: a point or a direction, which no path meets by chance.
-double asked_pdf(const World& world, const LightSample& light);
+double asked_pdf(const World& world, const LightSample& light, const glm::dvec3& point);
 
 // Whether nothing at all, specular surfaces included, stands between a point of `triangle`, seen from `side`, and the
 // light sample.

@@ -44,7 +44,7 @@ CameraSample trace_whole_path(const Tracer& tracer, const RenderSettings& settin
     }
     if (front || surface.double_sided)
       emitted += path.throughput * path.radiance_scale * glm::dvec3(surface.emission) *
-                 part(area_light_pdf(world, hit->triangle, hit->t,
+                 part(area_light_pdf(world, hit->triangle, path.ray.origin, hit->t,
                                      std::abs(glm::dot(triangle.geometric, path.ray.direction))));
     if (pass_straight(path, *hit, tracer)) {
       passed = true;

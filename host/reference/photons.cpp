@@ -50,7 +50,7 @@ Start start_on_target(const Tracer& tracer, const shared::Beam& beam, double are
   path.throughput = light.irradiance * std::abs(cosine) * area;
   path.differential = start_differential(triangle.geometric, path.ray.direction, light.distance);
   if (light.extent > 0) path.by_light = light_differential(light.normal, light.extent, path.ray.direction);
-  if (path.throughput == glm::dvec3(0) ||
+  if (path.throughput == glm::dvec3(0) || light.triangle == hit.triangle ||
       !visible(tracer, hit.point, hit.triangle, cosine > 0 ? triangle.geometric : -triangle.geometric, light)) {
     start.end = shared::END_BLOCKED;
   } else {

@@ -10,7 +10,7 @@
 #define SHARED_END }
 #define SHARED inline
 namespace meniscal::shared {
-using glm::abs, glm::clamp, glm::cross, glm::dot, glm::floatBitsToUint, glm::floor, glm::ivec3, glm::max, glm::min,
+using glm::abs, glm::atan, glm::clamp, glm::cross, glm::dot, glm::floatBitsToUint, glm::floor, glm::ivec3, glm::length, glm::max, glm::min,
     glm::mix, glm::normalize, glm::sign, glm::sqrt, glm::uint, glm::uintBitsToFloat, glm::uvec2, glm::uvec3, glm::uvec4,
     glm::vec2, glm::vec3, glm::vec4, glm::cos, glm::sin;
 }

@@ -85,7 +85,7 @@ TEST_P(LightSize, FollowsTheFormFactor) {
   expect_light(
       *setup, [&](const glm::dvec3&) { return irradiance; }, 2e-2, 1);
 }
-INSTANTIATE_TEST_SUITE_P(Metres, LightSize, testing::Values(0.0, 1e-6, 1e-3, 0.1));
+INSTANTIATE_TEST_SUITE_P(Metres, LightSize, testing::Values(0.0, 1e-6, 1e-3, 0.1, 10.0, 1e3));
 
 class Intensity : public testing::TestWithParam<double> {};
 

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <map>
 
 #include "host/reference/path.h"
 #include "host/reference/sky.h"
 #include "host/world/lights.h"
+#include "tests/support/scene_objects.h"
 #include "tests/support/skies.h"
 
 namespace meniscal {
@@ -160,24 +162,48 @@ TEST(SunView, MissesNoTarget) {
   EXPECT_GT(std::min(high.x, high.y), 0.99);
 }
 
-// What sampling finds, density and radiance say again.
-TEST(AreaLight, DensityIsThatOfTheSamples) {
-  const World world = build_world(load_gltf(std::string(SCENES) + "/area_light.gltf"), MeniscusModel::none);
+// What sampling finds, density and radiance say again, whether points of the lamp are spread over its area or, of one
+// that is wide, over the solid angle.
+class AreaLight : public testing::TestWithParam<double> {};
+
+TEST_P(AreaLight, DensityIsThatOfTheSamples) {
+  Scene scene = load_gltf(std::string(SCENES) + "/area_light.gltf");
+  test::move(scene, "lamp", {GetParam(), 1, GetParam()}, {});
+  const World world = build_world(scene, MeniscusModel::none);
   ASSERT_EQ(world.lights.size(), 2u);
-  const dvec3 point(0.004, -0.01, 0.002);
+  const dvec3 point(0.004, 0.05, 0.002);  // nothing stands between
+  const bool wide = GetParam() > 1;
+  std::map<std::uint32_t, double> densities;  // of triangles' first samples
   for (std::uint32_t i = 0; i < 100; ++i) {
     const auto s = reference::sample_lights(world, world.light_first, point, {1, 2, 3, i}, false);
     const double cosine = std::abs(glm::dot(s.direction, world.triangles[s.triangle].geometric));
-    const double pdf = reference::area_light_pdf(world, s.triangle, s.distance, cosine);
+    const double pdf = reference::area_light_pdf(world, s.triangle, point, s.distance, cosine);
+    EXPECT_EQ(reference::asked_pdf(world, s, point), pdf);
     const dvec3 radiance = glm::dvec3(world.surfaces[world.triangles[s.triangle].material].emission);
     EXPECT_LT(glm::distance(s.irradiance * pdf, radiance), 1e-5 * glm::length(radiance));
-    EXPECT_NEAR(s.extent * s.extent * pdf, 1 / cosine, 1e-4 / cosine);
+    EXPECT_NEAR(s.extent * s.extent * pdf, wide ? std::min(1 / cosine, pdf) : 1 / cosine, 1e-4 / cosine);
+    const double first = densities.emplace(s.triangle, pdf).first->second;
+    if (wide) {
+      EXPECT_EQ(pdf, first);
+    }
   }
+  const reference::Tracer tracer(world);
+  double sum = 0;
+  over_sphere(400, [&](const dvec3& w, double part) {
+    const auto hit = tracer.closest({point, w}, 1e30, reference::no_triangle);
+    if (!hit) return;
+    const double cosine = std::abs(glm::dot(w, world.triangles[hit->triangle].geometric));
+    sum += part * reference::area_light_pdf(world, hit->triangle, point, hit->t, cosine);
+  });
+  EXPECT_NEAR(sum, 1, 1e-2);
+
   const auto dark = std::find_if(world.triangles.begin(), world.triangles.end(), [&](const WorldTriangle& t) {
     return world.surfaces[t.material].emission == glm::vec3(0);
   });
-  EXPECT_EQ(reference::area_light_pdf(world, static_cast<std::uint32_t>(dark - world.triangles.begin()), 1, 1), 0);
+  EXPECT_EQ(reference::area_light_pdf(world, static_cast<std::uint32_t>(dark - world.triangles.begin()), point, 1, 1),
+            0);
 }
+INSTANTIATE_TEST_SUITE_P(Scales, AreaLight, testing::Values(1, 10, 1e3));
 
 // The pixel of a very bright spot in a large image, and pixels beside it that are dark, or black.
 TEST(Sky, DarkPixelsHaveTheirShare) {
