@@ -52,31 +52,39 @@ TEST_P(LightDistance, FollowsTheInverseSquare) {
 }
 INSTANTIATE_TEST_SUITE_P(Metres, LightDistance, testing::Values(1e-6, 1e-4, 1e-2, 1.0, 1e3, 1e6, 1e9));
 
-class LightSize : public testing::TestWithParam<double> {};
+constexpr double lamp_height = 0.1;
 
-// A square lamp face to face with the middle of the floor, 10 cm above it.
-TEST_P(LightSize, FollowsTheFormFactor) {
-  REQUIRE_DEVICE();
-  const double size = GetParam(), h = 0.1;
-  RenderOptions options = floor_options();
-  options.samples = 16;
-  const auto setup = test::make_setup("post", options, [&](Scene& scene) {
+// A square lamp face to face with the middle of the floor, 10 cm above it, that reflects nothing.
+std::unique_ptr<test::Setup> under_lamp(double size, const RenderOptions& options, double roughness, double metallic) {
+  return test::make_setup("post", options, [&](Scene& scene) {
     make_floor(scene, 0.5, 1e-3);
+    if (metallic > 0) scene.materials[0].metallic = metallic, scene.materials[0].roughness = roughness;
     Material lamp;
     lamp.name = "lamp";
     lamp.emission = glm::dvec3(1);
+    lamp.base_color = glm::dvec3(0);
     scene.materials.push_back(lamp);
     Object square;
     square.name = "lamp", square.material = 1;
-    const double a = 0.5 * size;
+    const double a = 0.5 * size, h = lamp_height;
     square.mesh.positions = {{-a, h, -a}, {a, h, -a}, {a, h, a}, {-a, h, a}};
     square.mesh.normals.assign(4, {0, -1, 0});
     square.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     scene.objects.push_back(square);
     test::look_down_on(scene, {0, 0.5 * h, 0}, 1e-3);
   });
+}
+
+class LightSize : public testing::TestWithParam<double> {};
+
+TEST_P(LightSize, FollowsTheFormFactor) {
+  REQUIRE_DEVICE();
+  const double size = GetParam();
+  RenderOptions options = floor_options();
+  options.samples = 16;
+  const auto setup = under_lamp(size, options, 1, 0);
   // Of four quarters, each seen from below its corner (Howell, configuration factor B-3).
-  const double x = 0.5 * size / h, y = x / std::sqrt(1 + x * x);
+  const double x = 0.5 * size / lamp_height, y = x / std::sqrt(1 + x * x);
   const double irradiance = 4 * y * std::atan(y) / 1.0;
   if (size == 0) {
     EXPECT_TRUE(setup->world.lights.empty());
@@ -86,6 +94,24 @@ TEST_P(LightSize, FollowsTheFormFactor) {
       *setup, [&](const glm::dvec3&) { return irradiance; }, 2e-2, 1);
 }
 INSTANTIATE_TEST_SUITE_P(Metres, LightSize, testing::Values(0.0, 1e-6, 1e-3, 0.1, 10.0, 1e3));
+
+// Shadow rays and lobes share such a lamp's light out alike on both paths, and it is that of a sky.
+TEST(WideLamp, ShinesOnRoughMetal) {
+  REQUIRE_DEVICE();
+  RenderOptions options = floor_options();
+  options.samples = 16, options.diffuse_bounces = 1;
+  std::vector<double> means;
+  for (const double size : {10.0, 1e3}) {
+    const Both both = render_both(*under_lamp(size, options, 0.5, 1));
+    for (const Picture& picture : {both.cpu, both.gpu}) {
+      means.push_back(0);
+      for (const glm::dvec3& radiance : picture) means.back() += radiance.x / double(picture.size());
+    }
+  }
+  std::printf("radiance %.4f and %.4f\n", means[0], means[2]);
+  EXPECT_GT(means[0], 0.5);
+  for (const double mean : means) EXPECT_NEAR(mean, means[0], 0.02 * means[0]);
+}
 
 class Intensity : public testing::TestWithParam<double> {};
 
