@@ -46,6 +46,7 @@ struct ContactLine {
   Profile profile = Profile::sine;
   Fineness fineness{};
   bool at_rest = false;  // solved for
+  Need need{};
 
   std::size_t segments() const { return closed ? nodes.size() : nodes.size() - 1; }
   const Node& next(std::size_t i) const { return nodes[(i + 1) % nodes.size()]; }

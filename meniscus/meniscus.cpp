@@ -34,9 +34,16 @@ TriangleMesh liquid_as_it_is(const Topology& liquid) {
   return mesh;
 }
 
+Need need_of(const Contour& contour, const Liquid& liquid) {
+  if (!liquid.need) return {};
+  std::vector<glm::dvec3> beside;
+  for (const ContourPoint& p : contour.points) beside.push_back(p.position + 0.01 * liquid.capillary_length * p.before);
+  return liquid.need(beside);
+}
+
 Contact describe(const ContactLine& line, const Body& body) {
   Contact contact{body.name, line.closed, 0, body.contact_angle, 0, 0};
-  contact.at_rest = line.at_rest;
+  contact.at_rest = line.at_rest, contact.need = line.need;
   for (std::size_t i = 0; i < line.segments(); ++i) {
     contact.length += glm::distance(line.nodes[i].position, line.next(i).position);
   }
@@ -53,7 +60,11 @@ Contact describe(const ContactLine& line, const Body& body) {
 void share_out(Surface& surface, const std::vector<std::size_t>& line, const std::vector<ContactLine>& lines,
                const Warnings& warnings) {
   for (std::size_t t = 0; t < line.size(); ++t)
-    if (surface.meniscus[t]) ++surface.contacts[line[t]].triangles;
+    if (surface.meniscus[t]) {
+      Contact& contact = surface.contacts[line[t]];
+      ++contact.triangles;
+      surface.meniscus[t] = contact.need.target;
+    }
   for (std::size_t l = 0; l < lines.size(); ++l)
     for (const Warning& w : warnings)
       if (std::find(w.solids.begin(), w.solids.end(), lines[l].solid) != w.solids.end())
@@ -145,11 +156,15 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   for (const std::uint32_t t : surface) boxes.push_back(level.box(t));
   const Tree tree(std::move(boxes));
   std::vector<Contour> contours;
+  std::vector<Need> needs;         // by contour
   std::vector<ContactLine> lines;  // evenly fine at first: these show where columns may stand farther apart
   for (std::size_t s = 0; s < bodies.size(); ++s) {
     for (Contour& contour : find_contours(level, surface, tree, bodies, s, warnings)) {
       refuse_endless(contour, bodies[s].name, raised_length(liquid));
-      lines.push_back(refine(contour, s, unit, {{}, find_fineness(contour, bodies[s].contact_angle, liquid)}));
+      const Need need = need_of(contour, liquid);
+      needs.push_back(need);
+      lines.push_back(
+          refine(contour, s, unit, {{}, find_fineness(contour, bodies[s].contact_angle, liquid, need.coarseness)}));
       contours.push_back(std::move(contour));
       if (!solved) continue;
       constexpr double kLeft = 5;  // capillary lengths beyond the contact line, however far it runs out
@@ -163,7 +178,7 @@ Surface build(const Liquid& liquid, const std::vector<Solid>& solids) {
   const std::vector<Resolution> resolutions = find_resolutions(lines, bodies, patch, unit, reach, warnings);
   for (std::size_t l = 0; l < lines.size(); ++l) {
     lines[l] = refine(contours[l], lines[l].solid, unit, resolutions[l]);
-    lines[l].sweep = reach;
+    lines[l].sweep = reach, lines[l].need = needs[l];
     measure_curvature(lines[l], kCurved * liquid.capillary_length);
   }
   find_free_lengths(lines, solved ? unit / 16 : reach, reach);

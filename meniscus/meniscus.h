@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,12 @@ enum class Profile {
   solved,       // the liquid at rest: Young-Laplace's equation for all menisci together; see equilibrium.h
 };
 
+// What a picture needs of one meniscus.
+struct Need {
+  double coarseness = 1;  // factor on the liquid's tolerance
+  bool target = true;     // photons start on it
+};
+
 struct Liquid {
   std::string name;
   TriangleMesh mesh;        // an open sheet or a closed volume; its free surface is what faces up (+Y)
@@ -37,7 +45,9 @@ struct Liquid {
   double height_scale = 1;  // artist's factor on the height
   double sweep_scale = 1;   // artist's factor on the sweep length, 2 capillary lengths
   double tolerance = 1;     // factor on how far facets may leave the surface: see below
-  bool flatten = false;     // menisci stay on the level liquid and have the raised surface's normals alone
+  // Of a contour, by points in the liquid a hundredth of a capillary length beside it; not given: all of it.
+  std::function<Need(std::span<const glm::dvec3> beside)> need{};
+  bool flatten = false;  // menisci stay on the level liquid and have the raised surface's normals alone
 };
 
 // How far the facets of a meniscus, and the normals interpolated on them, may leave the surface at a tolerance of 1.
@@ -53,12 +63,13 @@ struct Solid {
 // One liquid-solid contour and the meniscus raised on it.
 struct Contact {
   std::string solid;
-  bool closed;                             // false where the contour ends at the liquid's border
-  double length;                           // of the contour, metres
-  double contact_angle;                    // radians
-  double rise_min, rise_max;               // signed height of the contact line above the level liquid, metres
-  std::size_t triangles = 0;               // of its meniscus
-  bool at_rest = false;                    // is the meniscus Young-Laplace's?
+  bool closed;                // false where the contour ends at the liquid's border
+  double length;              // of the contour, metres
+  double contact_angle;       // radians
+  double rise_min, rise_max;  // signed height of the contact line above the level liquid, metres
+  std::size_t triangles = 0;  // of its meniscus
+  bool at_rest = false;       // is the meniscus Young-Laplace's?
+  Need need{};
   std::vector<std::string> warnings = {};  // the surface's that concern the solid
 };
 
@@ -79,7 +90,7 @@ struct Solution {
 // The liquid with its menisci: one oriented surface, watertight but for the borders the liquid came with.
 struct Surface {
   TriangleMesh mesh;                   // always with normals: analytic on the menisci, the liquid's own elsewhere
-  std::vector<std::uint8_t> meniscus;  // per triangle: 1 on a meniscus (a photon target), 0 on the rest of the liquid
+  std::vector<std::uint8_t> meniscus;  // per triangle: 1 on a meniscus that photons are to start on
   TriangleMesh within;                 // the free surface where it goes on inside solids, up to the contact lines
   std::vector<Contact> contacts;
   Solution solution;                  // all 0 unless the profile is exact

@@ -93,7 +93,7 @@ Fineness find_fineness(const Error& tolerance, Profile profile, double sweep_len
   return f;
 }
 
-Fineness find_fineness(const Contour& contour, double contact_angle, const Liquid& liquid) {
+Fineness find_fineness(const Contour& contour, double contact_angle, const Liquid& liquid, double coarseness) {
   const std::size_t n = contour.points.size();
   double length = 0, area = 0, highest = 0;
   for (std::size_t i = 0; i + 1 < n + contour.closed; ++i) {
@@ -109,8 +109,9 @@ Fineness find_fineness(const Contour& contour, double contact_angle, const Liqui
       highest = std::max(highest, std::abs(rise(liquid, contact_angle, beta, curvature)));
     }
   }
-  return find_fineness(tolerance_for(liquid, length, contour.closed), liquid.profile, raised_length(liquid), highest,
-                       length / glm::two_pi<double>());
+  Error tolerance = tolerance_for(liquid, length, contour.closed);
+  tolerance.height *= coarseness, tolerance.normal *= coarseness;
+  return find_fineness(tolerance, liquid.profile, raised_length(liquid), highest, length / glm::two_pi<double>());
 }
 
 }  // namespace meniscus

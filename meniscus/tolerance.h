@@ -56,7 +56,7 @@ struct Fineness {
 // For a meniscus that rises so high, metres, on a line of about this radius.
 Fineness find_fineness(const Error& tolerance, Profile profile, double sweep_length, double rise, double radius);
 
-// For the meniscus that a contour will get.
-Fineness find_fineness(const Contour& contour, double contact_angle, const Liquid& liquid);
+// For the meniscus that a contour will get. `coarseness`: factor on the liquid's tolerance.
+Fineness find_fineness(const Contour& contour, double contact_angle, const Liquid& liquid, double coarseness = 1);
 
 }  // namespace meniscus

@@ -145,7 +145,7 @@ Json models_of(const Scene& scene, const World& exact) {
     const Stopwatch watch;
     std::vector<std::string> warnings;
     Stages stages;
-    const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, 1, warnings, stages);
+    const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, {}, warnings, stages);
     double error = 0;
     for (std::size_t l = 0; l < liquids.size(); ++l) {
       for (std::size_t i = 0; i < liquids[l].surface.contacts.size(); ++i) {

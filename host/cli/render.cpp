@@ -87,7 +87,7 @@ void render(const RenderOptions& options) {
   RunStatistics run;
   run.seconds["load"] = total.seconds();
   run.stages.add(scene.stages);
-  const World world = build_world(scene, options.meniscus, options.meniscus_tolerance);
+  const World world = build_world(options, scene);
   progress.clear();
   for (const std::string& w : scene.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
   for (const std::string& w : world.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);

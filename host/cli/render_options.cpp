@@ -153,7 +153,8 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
                   "other camera rays")
       ->type_name("N")
       ->transform(whole(0, 1 << 16))
-      ->default_str(by_quality([](Quality q) { return preset(q).highlight_samples; }));
+      ->default_str(by_quality([](Quality q) { return preset(q).highlight_samples; }) +
+                    " where a light is narrow, else 16");
   add_parsed(
       command, "--pass-range", "A:B", "Only passes A <= i < B, for splitting over machines",
       [&](const std::string& name, const std::string& text) { options.pass_range = parse_pass_range(name, text); });

@@ -23,7 +23,8 @@ struct Resolution {
 enum class Quality { draft, preview, final };
 struct Preset {
   double photons_per_pixel;  // and pass
-  std::uint32_t least_photons, passes, samples, highlight_samples;
+  std::uint32_t least_photons, passes, samples;
+  std::uint32_t highlight_samples;  // where a light is narrow: in menisci it shows as sparks
 
   std::uint32_t photons(std::size_t pixels) const {
     return static_cast<std::uint32_t>(std::clamp(photons_per_pixel * double(pixels), double(least_photons), 1e9));
@@ -32,13 +33,14 @@ struct Preset {
 constexpr Preset preset(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {0.64, 40000, 1, 1, 16};
+      return {2, 100000, 1, 1, 16};
     case Quality::preview:
-      return {1.6, 100000, 2, 2, 16};
+      return {2, 125000, 2, 2, 36};
     case Quality::final:
       break;
   }
-  return {4.0, 250000, 2, 4, 16};
+  // At 640x480 pixels a pass' photons fit on the device at once: more would cost the samples, see choose_settings.
+  return {3.2, 200000, 4, 8, 64};
 }
 
 struct RenderOptions {
@@ -58,7 +60,7 @@ struct RenderOptions {
   std::optional<std::uint32_t> highlight_samples;  // of a pixel that sees menisci; 0: as other camera rays find them
   std::optional<PassRange> pass_range;
   std::optional<double> radius;  // of round footprints in pass 0, metres; not given: each photon has its own
-  std::uint32_t diffuse_bounces = 4, specular_bounces = 16;
+  std::uint32_t diffuse_bounces = 8, specular_bounces = 16;
   std::optional<bool> final_gathering;  // not given: the quality's
   std::uint32_t seed = 0;
   MapScale map_scale;

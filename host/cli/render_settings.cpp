@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "host/error.h"
+#include "host/render/demand.h"
 #include "host/render/highlights.h"
 #include "host/render/pilot.h"
 #include "host/render/plan.h"
 #include "host/render/stand_clear.h"
+#include "host/render/widening.h"
+#include "host/world/light_width.h"
 #include "host/world/media.h"
 
 namespace meniscal {
@@ -26,6 +29,12 @@ const Camera& find_camera(const Scene& scene, const std::optional<std::string>& 
 Resolution size_of(const Camera& camera, int width) {
   const double aspect = camera.orthographic ? camera.xmag / camera.ymag : camera.aspect > 0 ? camera.aspect : 4.0 / 3.0;
   return {width, static_cast<int>(std::max(1.0, std::round(width / aspect)))};
+}
+
+std::uint32_t highlight_samples_of(const RenderOptions& options, const Scene& scene) {
+  if (options.highlight_samples) return *options.highlight_samples;
+  const bool wide = narrowest_light(scene) > kHidingLight;
+  return preset(wide ? Quality::draft : options.quality).highlight_samples;
 }
 
 namespace {
@@ -78,6 +87,18 @@ void set_beams(RenderSettings& settings, const RenderOptions& options, const Wor
 
 }  // namespace
 
+World build_world(const RenderOptions& options, const Scene& scene) {
+  RenderSettings view;
+  view.camera = find_camera(scene, options.camera);
+  choose_size(view, options);
+  std::optional<Demand> demand;  // none of a scene without contacts
+  return build_world(scene, options.meniscus,
+                     {options.meniscus_tolerance, [&](std::span<const glm::dvec3> beside, double capillary_length) {
+                        if (!demand) demand.emplace(scene, view);
+                        return demand->need(beside, capillary_length);
+                      }});
+}
+
 RenderSettings choose_settings(const RenderOptions& options, const Scene& scene, const World& world) {
   RenderSettings settings;
   settings.seed = options.seed;
@@ -93,7 +114,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.
   settings.samples = options.samples.value_or(photons > settings.photons_at_once ? 1 : preset(options.quality).samples);
   if (options.integrator == Integrator::path) return settings;
-  const std::uint32_t rays = options.highlight_samples.value_or(preset(options.quality).highlight_samples);
+  const std::uint32_t rays = highlight_samples_of(options, scene);
   if (rays > 0) {
     settings.highlights = find_highlights(world).lights;
     settings.highlight_cells = static_cast<std::uint32_t>(std::max(1.0, std::round(std::sqrt(rays))));
@@ -122,7 +143,10 @@ bool focus(RenderSettings& settings, const RenderOptions& options, const World& 
   MapNoise noise = pilot.noise;
   noise.global /= narrowing * narrowing;
   const Budgets budgets = share_photons({settings.photons, settings.global.count()}, noise);
-  set_beams(settings, options, world, make_beams(world, pilot.starts, budgets.caustics));
+  const double widening = options.radius || budgets.caustics == 0
+                              ? 1
+                              : find_widening(backend, world, settings, pilot.starts, budgets.caustics);
+  set_beams(settings, options, world, make_beams(world, pilot.starts, budgets.caustics, widening));
   set_global(settings, world, budgets.global, narrowing);
   backend.configure(settings);
   return true;

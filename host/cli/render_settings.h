@@ -11,6 +11,12 @@ const Camera& find_camera(const Scene& scene, const std::optional<std::string>& 
 // Pixels of a picture so wide, as high as the camera's aspect wants.
 Resolution size_of(const Camera& camera, int width);
 
+// The scene with menisci as fine as its view needs them. Throws Error(ExitCode::usage) as choose_settings does.
+World build_world(const RenderOptions& options, const Scene& scene);
+
+// Rays a pixel and pass that look for lights in menisci: sparks of narrow ones ask for more.
+std::uint32_t highlight_samples_of(const RenderOptions& options, const Scene& scene);
+
 // Throws Error(ExitCode::usage) for a camera that the scene has not, or a crop beyond the image.
 RenderSettings choose_settings(const RenderOptions& options, const Scene& scene, const World& world);
 

@@ -62,7 +62,7 @@ std::optional<Rendered> render(const RenderOptions& options, const Scene& scene,
   const Stopwatch wall;
   const double cpu = cpu_seconds();
   Rendered result;
-  const World world = build_world(scene, options.meniscus, options.meniscus_tolerance);
+  const World world = build_world(options, scene);
   for (const LiquidReport& l : world.liquids) result.menisci |= !l.contacts.empty();
   result.settings = choose_settings(options, scene, world);
   Film film(result.settings.crop, options.aovs, options.map_scale, scene.origin);
@@ -91,7 +91,7 @@ std::vector<std::string> reference_arguments(std::uint32_t passes) {
           "--seed",
           "1",
           "--diffuse-bounces",
-          "8",
+          "16",
           "--specular-bounces",
           "32",
           "--meniscus-tolerance",
@@ -102,12 +102,15 @@ std::vector<std::string> reference_arguments(std::uint32_t passes) {
 
 std::string joined(const std::vector<std::string>& arguments) { return fmt::format("{}", fmt::join(arguments, " ")); }
 
-std::vector<SweptPreset> swept_presets(std::size_t pixels) {
+std::vector<SweptPreset> swept_presets(const Scene& scene, std::size_t pixels) {
   std::vector<SweptPreset> presets;
   for (const auto& [name, quality] :
        {std::pair{"draft", Quality::draft}, {"preview", Quality::preview}, {"final", Quality::final}}) {
     const Preset p = preset(quality);
-    presets.push_back({name, p.photons(pixels), p.passes, p.samples, p.highlight_samples, quality == Quality::final});
+    RenderOptions usual;
+    usual.quality = quality;
+    presets.push_back({name, p.photons(pixels), p.passes, p.samples, highlight_samples_of(usual, scene),
+                       usual.diffuse_bounces, quality == Quality::final});
   }
   return presets;
 }
@@ -181,7 +184,7 @@ void run(const TradeoffOptions& given) {
   report.reference_command = joined(arguments), report.reference_error = converged->error_estimate;
   report.csv_name = std::filesystem::path(options.csv()).filename().string();
   report.sweep = make_sweep(
-      swept_presets(converged->settings.crop.pixels()),
+      swept_presets(scene, converged->settings.crop.pixels()),
       {converged->menisci, converged->settings.highlights != shared::HIGHLIGHTS_NONE, converged->settings.footprint},
       options.quick);
   measure(report, options, scene, reference, progress);

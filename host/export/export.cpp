@@ -11,7 +11,7 @@ Exported export_with_menisci(const std::string& path, MeniscusModel model, doubl
   const Scene scene = make_scene(source, messages);
   Exported result{open_document(source), {}, source.environment_file, scene.warnings};
   Stages stages;
-  result.liquids = raise_menisci(scene, model, meniscus_tolerance, result.warnings, stages);
+  result.liquids = raise_menisci(scene, model, {meniscus_tolerance}, result.warnings, stages);
   if (result.liquids.empty())
     result.warnings.push_back(path + ": has no liquid (material extra meniscus_liquid): written as it is");
   Messages of_export(path);

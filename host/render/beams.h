@@ -37,8 +37,10 @@ double start_area(const World& world, const StartSet& set);
 // half alike for all windows, one half as the square roots of their areas. Empty where no light could start photons.
 std::vector<StartSet> default_starts(const World& world);
 
-// `photons`: of a pass. Windows within others are widened by a border over which they fade in.
-std::vector<shared::Beam> make_beams(const World& world, const std::vector<StartSet>& starts, std::uint32_t photons);
+// `photons`: of a pass. Windows within others are widened by a border over which they fade in. `widening`: factor on
+// the discs' usual reach.
+std::vector<shared::Beam> make_beams(const World& world, const std::vector<StartSet>& starts, std::uint32_t photons,
+                                     double widening = 1);
 
 // Which of its beam's starts the i-th photon takes: its index in the Sobol sequence; see shared::Beam.
 std::uint32_t start_index(const shared::Beam& beam, std::uint32_t i);

@@ -18,6 +18,8 @@ nlohmann::ordered_json contacts_json(const World& world) {
                       {"rise_max_m", c.rise_max},
                       {"shape", c.at_rest ? "young-laplace" : "profile"},
                       {"triangles", c.triangles},
+                      {"coarseness", c.need.coarseness},
+                      {"photon_target", c.need.target},
                       {"warnings", c.warnings}});
   return list;
 }

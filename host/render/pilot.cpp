@@ -15,8 +15,9 @@ constexpr std::uint32_t pilot_pass = 0x80000000;  // first of the passes whose r
 // What is thought to be unseen still gets a share: rare paths are noisy then, but not lost.
 constexpr double unseen_share = 0.03;
 
-// The same view in fewer pixels.
-RenderSettings coarse(RenderSettings settings) {
+}  // namespace
+
+RenderSettings coarse_view(RenderSettings settings) {
   const double width = settings.width, height = settings.height;
   const double factor = std::max(1.0, std::sqrt(double(settings.crop.pixels()) / most_rays));
   const auto shrunk = [&](std::uint32_t pixels) { return static_cast<std::uint32_t>(pixels / factor); };
@@ -33,6 +34,8 @@ RenderSettings coarse(RenderSettings settings) {
   c.y1 = std::max(static_cast<std::uint32_t>(std::ceil(c.y1 * settings.height / height)), c.y0 + 1);
   return settings;
 }
+
+namespace {
 
 // Where in the square the photons started that were seen, and what they brought.
 struct Seen {
@@ -159,7 +162,7 @@ void look_at_maps(Backend& backend, const World& world, RenderSettings settings,
 }  // namespace
 
 Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& settings) {
-  RenderSettings pilot = coarse(settings);
+  RenderSettings pilot = coarse_view(settings);
   backend.configure(pilot);
   const std::vector<shared::PixelSample> samples = backend.trace_camera(pilot_pass, View{});
   const auto part = [&](float surfaces) {

@@ -15,6 +15,9 @@ struct Pilot {
   double crowding = 0;
 };
 
+// The same view in some thousand pixels.
+RenderSettings coarse_view(RenderSettings settings);
+
 // Traces some thousand camera rays and photons, and gives windows round the starts of those photons that landed where
 // the camera sees, with shares as the square roots of the flux that they brought there. Where nothing is seen:
 // default_starts. Where interreflection needs photons, too, looks twice at what either map gives: that is its noise,

@@ -31,10 +31,14 @@ const Stratum* find_stratum(const World& world, const std::string& name) {
 }  // namespace
 
 Plan make_plan(const World& world, std::uint32_t diffuse_bounces, const glm::uvec4& camera_media, bool highlights) {
-  std::size_t contacts = 0, level = 0;
-  for (const LiquidReport& l : world.liquids) (l.triangles > 0 ? contacts : level) += l.contacts.size();
+  std::size_t contacts = 0, level = 0, unseen = 0;
+  for (const LiquidReport& l : world.liquids) {
+    (l.triangles > 0 ? contacts : level) += l.contacts.size();
+    for (const meniscus::Contact& c : l.contacts) unseen += c.triangles > 0 && !c.need.target;
+  }
   Plan plan;
   plan.push_back(counted("menisci", contacts, "liquid-solid contacts"));
+  if (unseen > 0) plan.back().why += fmt::format(", {} of them without light or out of sight", unseen);
   if (contacts == 0 && level > 0) plan.back().why = "the liquid stays level where it meets solids";
   for (const char* map : {"targeted", "caustic"}) {
     const Stratum* s = find_stratum(world, map);

@@ -35,7 +35,7 @@ std::vector<Knob> knobs_of(const SweptPreset& p, const SweptScene& scene) {
       numeric<Whole>("photons", "--photons", p.photons, {std::max(p.photons / 4, 1u), more}),
       numeric<Whole>("passes", "--passes", p.passes, {1, 2, 4, 8}),
       numeric<Whole>("samples", "--samples", p.samples, {1, 2, 4, 8}),
-      numeric<Whole>("diffuse bounces", "--diffuse-bounces", 4, {0, 1, 2, 8}),
+      numeric<Whole>("diffuse bounces", "--diffuse-bounces", p.diffuse_bounces, {0, 1, 2, 4, 16}),
       numeric<Whole>("specular bounces", "--specular-bounces", 16, {2, 4, 8}),
       {"final gathering", "--final-gathering", p.gathers ? "on" : "off", {"off", "on"}},
   };

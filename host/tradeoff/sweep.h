@@ -9,7 +9,7 @@ namespace meniscal {
 
 struct SweptPreset {
   std::string name;
-  std::uint32_t photons, passes, samples, highlight_samples;
+  std::uint32_t photons, passes, samples, highlight_samples, diffuse_bounces;
   bool gathers;  // final gathering
 };
 

@@ -34,7 +34,8 @@ double contact_angle(const Material& solid, const Material& liquid) {
 
 namespace {
 
-meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusModel model, double tolerance) {
+meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusModel model,
+                             const MeniscusTolerance& tolerance) {
   const LiquidProperties& p = *scene.materials[object.material].liquid;
   meniscus::Liquid liquid{.name = object.name,
                           .mesh = object.mesh,
@@ -53,8 +54,12 @@ meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusM
     if (liquid.height_scale != 0) liquid.height_scale = 1;
   }
   liquid.flatten = p.flatten;
-  liquid.tolerance = tolerance;
+  liquid.tolerance = tolerance.factor;
   if (p.tolerance) liquid.tolerance *= *p.tolerance / (meniscus::kHeightTolerance * liquid.capillary_length);
+  if (tolerance.need)
+    liquid.need = [&tolerance, length = liquid.capillary_length](std::span<const glm::dvec3> beside) {
+      return tolerance.need(beside, length);
+    };
   return liquid;
 }
 
@@ -70,7 +75,7 @@ std::vector<meniscus::Solid> solids_for(const Scene& scene, const Material& liqu
 
 }  // namespace
 
-std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, double tolerance,
+std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, const MeniscusTolerance& tolerance,
                                          std::vector<std::string>& warnings, Stages& stages) {
   std::vector<LiquidSurface> liquids;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {

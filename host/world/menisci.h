@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,10 +25,17 @@ struct LiquidSurface {
   meniscus::Surface surface;
 };
 
+// How far menisci may be off: a factor on all of them, and what a picture needs of each, as in meniscus::Liquid, by the
+// liquid's capillary length, metres.
+struct MeniscusTolerance {
+  double factor = 1;
+  std::function<meniscus::Need(std::span<const glm::dvec3> beside, double capillary_length)> need{};
+};
+
 // One for each liquid object, in their order; `none` cuts the liquids where solids pierce them, level. Deterministic.
-// `tolerance` is a factor on how far the menisci may be off. `stages`: "menisci" of liquids that solids raise some in,
+// `stages`: "menisci" of liquids that solids raise some in,
 // "level liquids" of others. Throws Error(ExitCode::scene).
-std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, double tolerance,
+std::vector<LiquidSurface> raise_menisci(const Scene& scene, MeniscusModel model, const MeniscusTolerance& tolerance,
                                          std::vector<std::string>& warnings, Stages& stages);
 
 }  // namespace meniscal

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "host/error.h"
 #include "host/stopwatch.h"
@@ -152,12 +153,11 @@ std::vector<std::uint32_t> build_surfaces(World& world, const Scene& scene) {
 
 }  // namespace
 
-World build_world(const Scene& scene, MeniscusModel model, double meniscus_tolerance) {
+World build_world(const Scene& scene, MeniscusModel model, const MeniscusTolerance& tolerance) {
   World world;
   const Stopwatch watch;
   const std::vector<std::uint32_t> closed_surface = build_surfaces(world, scene);
-  const std::vector<LiquidSurface> liquids =
-      raise_menisci(scene, model, meniscus_tolerance, world.warnings, world.stages);
+  const std::vector<LiquidSurface> liquids = raise_menisci(scene, model, tolerance, world.warnings, world.stages);
   auto next = liquids.begin();
   for (const Object& object : scene.objects) {
     const Material& m = scene.materials[object.material];
@@ -168,7 +168,8 @@ World build_world(const Scene& scene, MeniscusModel model, double meniscus_toler
       add_volume(world, object, material, &surface.mesh);
       world.liquids.push_back(
           {object.name, surface.contacts,
-           static_cast<std::size_t>(std::count(surface.meniscus.begin(), surface.meniscus.end(), 1)),
+           std::accumulate(surface.contacts.begin(), surface.contacts.end(), std::size_t{0},
+                           [](std::size_t sum, const meniscus::Contact& c) { return sum + c.triangles; }),
            surface.solution});
       continue;
     }

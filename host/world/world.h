@@ -25,7 +25,7 @@ struct WorldTriangle {
   double area;                       // m2
   std::uint32_t material;            // index into surfaces
   std::uint32_t coordinates;         // index + 1 into World::coordinates; 0: none
-  bool meniscus;                     // of a meniscus, or of a material with `meniscus_target`
+  bool meniscus;                     // of a meniscus that matters, or of a material with `meniscus_target`
   bool within;                       // of a liquid, inside a transparent solid
   std::uint32_t light;               // of an area light: index + 1; else 0
 };
@@ -91,6 +91,6 @@ struct World {
 
 // Raises the menisci (`none`: cuts the liquid where solids pierce it, level), flattens the scene and builds the tables.
 // Deterministic. Throws Error(ExitCode::scene).
-World build_world(const Scene& scene, MeniscusModel model, double meniscus_tolerance = 1);
+World build_world(const Scene& scene, MeniscusModel model, const MeniscusTolerance& tolerance = {});
 
 }  // namespace meniscal

@@ -59,7 +59,7 @@ TEST(Advice, IsTheBestThatCostsNoMore) {
   EXPECT_DOUBLE_EQ(by_wall[0].ratio, 1);
 }
 
-const std::vector<SweptPreset> kPresets = {{"draft", 1000, 1, 1, 16, false}, {"final", 4000, 2, 4, 16, true}};
+const std::vector<SweptPreset> kPresets = {{"draft", 1000, 1, 1, 16, 8, false}, {"final", 4000, 2, 4, 16, 8, true}};
 
 TEST(Sweep, TurnsOneKnobAtATimeAndNothingTwice) {
   const Sweep sweep = make_sweep(kPresets, {true, true, 1e-3}, false);
