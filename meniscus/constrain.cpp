@@ -6,13 +6,24 @@
 #include "meniscus/triangulate.h"
 
 namespace meniscus {
+namespace {
+
+// Where segment ab crosses cd, on ab. What is parallel within rounding meets at an end of one that the other holds.
+glm::dvec2 meeting(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
+  const double across = cross(b - a, d - c);
+  if (across != 0) return a + glm::clamp(cross(c - a, d - c) / across, 0.0, 1.0) * (b - a);
+  for (const glm::dvec2& end : {c, d})
+    if (const double along = glm::dot(end - a, b - a); along > 0 && along < glm::dot(b - a, b - a)) return end;
+  return a;
+}
+
+}  // namespace
 
 // The vertex where segment ab crosses the constraint cd, which it parts: a new one, or one of the four where they meet
 // there within rounding.
 std::uint32_t Triangulation::cut(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   const glm::dvec2 pa = points_[a], pb = points_[b], pc = points_[c], pd = points_[d];
-  const double t = cross(pc - pa, pd - pc) / cross(pb - pa, pd - pc);
-  const glm::dvec2 x = pa + t * (pb - pa);
+  const glm::dvec2 x = meeting(pa, pb, pc, pd);
   if (x == pc) return c;
   if (x == pd) return d;
   const Crossing crossing = constraints_.at(key(c, d));

@@ -33,6 +33,12 @@ TriangleMesh prism(unsigned sides, double upper) {
   return mesh;
 }
 
+// Reads in order, whatever the compiler's order of arguments: an input is the same scene everywhere.
+TriangleMesh prism(Bytes& bytes) {
+  const unsigned sides = 3 + bytes.below(8);
+  return prism(sides, bytes.step(0, 2));
+}
+
 // A level sheet of n x n squares that faces up.
 TriangleMesh sheet(unsigned n) {
   TriangleMesh mesh;
@@ -84,7 +90,7 @@ void disturb(TriangleMesh& mesh, Bytes& bytes, double most) {
 
 meniscus::Solid solid(Bytes& bytes) {
   const unsigned kind = bytes.below(4);
-  TriangleMesh mesh = kind == 0 ? soup(bytes) : prism(3 + bytes.below(8), bytes.step(0, 2));
+  TriangleMesh mesh = kind == 0 ? soup(bytes) : prism(bytes);
   place(mesh, bytes);
   if (kind == 3) disturb(mesh, bytes, 0.01);
   return {"solid", std::move(mesh), bytes.step(0, glm::pi<double>())};
@@ -92,7 +98,7 @@ meniscus::Solid solid(Bytes& bytes) {
 
 meniscus::Liquid liquid(Bytes& bytes) {
   const unsigned kind = bytes.below(4);
-  TriangleMesh mesh = kind == 1 ? prism(3 + bytes.below(8), bytes.step(0, 2)) : sheet(1 + bytes.below(6));
+  TriangleMesh mesh = kind == 1 ? prism(bytes) : sheet(1 + bytes.below(6));
   if (kind == 1)
     for (glm::dvec3& p : mesh.positions) p = glm::dvec3(kSize * p.x, 0.01 * (p.y - 1), kSize * p.z);
   if (kind == 2) disturb(mesh, bytes, 0.005);
