@@ -97,7 +97,7 @@ TEST(Merge, EqualsTheSingleRunWithHighlights) {
     const Outcome o = test::meniscal(
         folder, "render \"" SCENES
                 "/shadow_sausage.gltf\" --device cpu --quiet --meniscus paper --resolution 320x240 --crop " +
-                    std::string("156,76,172,88 --photons 500 --samples 2 --aov all ") + passes + " -o" +
+                    std::string("156,76,172,88 --photons 500 --samples 2 --highlight-samples 16 --aov all ") + passes + " -o" +
                     quoted(folder / image));
     ASSERT_EQ(o.code, 0) << o.error;
   };

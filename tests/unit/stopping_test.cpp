@@ -184,7 +184,7 @@ nlohmann::json rendered(const TemporaryFolder& folder, const std::string& scene,
 TEST(Stopping, AtATargetErrorThatIsTheTrueOne) {
   const TemporaryFolder folder;
   const std::string scene = "flat_water";
-  const double target = 0.05;
+  const double target = 0.03;
   const nlohmann::json stats =
       rendered(folder, scene, "--photons 4000 --seed 5 --target-error " + std::to_string(target), "some.exr");
   EXPECT_EQ(stats.at("stopped_by"), "target error");
