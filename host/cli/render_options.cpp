@@ -146,7 +146,8 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--samples", options.samples, "Camera rays a pixel and pass: the more, the smoother edges are")
       ->type_name("N")
       ->transform(whole(1, 1 << 16))
-      ->default_str(by_quality([](Quality q) { return preset(q).samples; }));
+      ->default_str(by_quality([](Quality q) { return preset(q).samples; }) +
+                    fmt::format(", {} with final gathering", preset(Quality::final).gathering_samples));
   command
       .add_option("--highlight-samples", options.highlight_samples,
                   "Rays a pixel and pass that look for lights in menisci, rounded to a square number; 0: no more than "

@@ -24,6 +24,7 @@ enum class Quality { draft, preview, final };
 struct Preset {
   double photons_per_pixel;  // and pass
   std::uint32_t least_photons, passes, samples;
+  std::uint32_t gathering_samples;  // with final gathering, of one bounced path each
   std::uint32_t highlight_samples;  // where a light is narrow: in menisci it shows as sparks
 
   std::uint32_t photons(std::size_t pixels) const {
@@ -33,14 +34,14 @@ struct Preset {
 constexpr Preset preset(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {2, 100000, 1, 1, 16};
+      return {0.64, 40000, 1, 1, 1, 16};
     case Quality::preview:
-      return {2, 125000, 2, 2, 36};
+      return {1.6, 100000, 2, 2, 2, 36};
     case Quality::final:
       break;
   }
   // At 640x480 pixels a pass' photons fit on the device at once: more would cost the samples, see choose_settings.
-  return {3.2, 200000, 4, 8, 64};
+  return {3.2, 250000, 2, 4, 16, 64};
 }
 
 struct RenderOptions {

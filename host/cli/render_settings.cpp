@@ -111,8 +111,14 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.camera_media = media_at(world, camera_axes(settings.camera, settings.width, settings.height).origin);
   settings.footprint = pixel_footprint(world, settings);
   const std::uint32_t photons = options.photons_per_pass(settings.crop.pixels());
+  const bool gathers =
+      settings.diffuse_bounces > 0 && options.final_gathering.value_or(options.quality == Quality::final);
+  const Preset usual = preset(options.quality);
   // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.
-  settings.samples = options.samples.value_or(photons > settings.photons_at_once ? 1 : preset(options.quality).samples);
+  settings.samples =
+      options.samples.value_or(photons > settings.photons_at_once                  ? 1
+                               : gathers && options.integrator != Integrator::path ? usual.gathering_samples
+                                                                                   : usual.samples);
   if (options.integrator == Integrator::path) return settings;
   const std::uint32_t rays = highlight_samples_of(options, scene);
   if (rays > 0) {
@@ -120,8 +126,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
     settings.highlight_cells = static_cast<std::uint32_t>(std::max(1.0, std::round(std::sqrt(rays))));
   }
   settings.photons = photons;
-  settings.final_gathering =
-      settings.diffuse_bounces > 0 && options.final_gathering.value_or(options.quality == Quality::final);
+  settings.final_gathering = gathers;
   set_beams(settings, options, world,
             options.integrator == Integrator::ordinary ? light_beams(world, photons)
                                                        : make_beams(world, default_starts(world), photons));
@@ -143,7 +148,8 @@ bool focus(RenderSettings& settings, const RenderOptions& options, const World& 
   MapNoise noise = pilot.noise;
   noise.global /= narrowing * narrowing;
   const Budgets budgets = share_photons({settings.photons, settings.global.count()}, noise);
-  const double widening = options.radius || budgets.caustics == 0
+  // More passes go on from `final`: they average noise, but not blur.
+  const double widening = options.radius || budgets.caustics == 0 || options.quality == Quality::final
                               ? 1
                               : find_widening(backend, world, settings, pilot.starts, budgets.caustics);
   set_beams(settings, options, world, make_beams(world, pilot.starts, budgets.caustics, widening));

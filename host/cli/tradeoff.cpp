@@ -109,8 +109,9 @@ std::vector<SweptPreset> swept_presets(const Scene& scene, std::size_t pixels) {
     const Preset p = preset(quality);
     RenderOptions usual;
     usual.quality = quality;
-    presets.push_back({name, p.photons(pixels), p.passes, p.samples, highlight_samples_of(usual, scene),
-                       usual.diffuse_bounces, quality == Quality::final});
+    const bool gathers = quality == Quality::final;
+    presets.push_back({name, p.photons(pixels), p.passes, gathers ? p.gathering_samples : p.samples,
+                       highlight_samples_of(usual, scene), usual.diffuse_bounces, gathers});
   }
   return presets;
 }
