@@ -1,4 +1,6 @@
 // The constraints of a triangulation; see triangulate.h.
+#include <algorithm>
+#include <cmath>
 #include <deque>
 #include <stdexcept>
 
@@ -19,17 +21,22 @@ glm::dvec2 meeting(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
 
 }  // namespace
 
-// The vertex where segment ab crosses the constraint cd, which it parts: a new one, or one of the four where they meet
-// there within rounding.
+// The vertex where segment ab crosses the constraint cd, which it parts: one of the four, or of the triangle there,
+// where they meet within rounding, or a new one. Else constraints that nearly coincide would cross anew, ever more
+// finely, beside each vertex that rounding has moved off them.
 std::uint32_t Triangulation::cut(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  const glm::dvec2 pa = points_[a], pb = points_[b], pc = points_[c], pd = points_[d];
-  const glm::dvec2 x = meeting(pa, pb, pc, pd);
-  if (x == pc) return c;
-  if (x == pd) return d;
+  constexpr double kRounding = 1e-11;
+  const glm::dvec2 x = meeting(points_[a], points_[b], points_[c], points_[d]);
+  const double near = kRounding * std::max(std::abs(x.x), std::abs(x.y));
+  const auto is_near = [&](std::uint32_t v) { return glm::distance(points_[v], x) <= near; };
+  if (is_near(c)) return c;
+  if (is_near(d)) return d;
   const Crossing crossing = constraints_.at(key(c, d));
   const int sense = c < d ? 1 : -1;
   constraints_.erase(key(c, d));  // x is only nearly on cd: the two halves are put back as edges of their own
-  const std::uint32_t m = x == pa ? a : x == pb ? b : insert(x);
+  const auto& there = triangles_[locate(x)].v;
+  const auto known = std::find_if(there.begin(), there.end(), is_near);
+  const std::uint32_t m = is_near(a) ? a : is_near(b) ? b : known != there.end() ? *known : insert(x);
   constrain(c, m, {sense * crossing.solid, sense * crossing.patch});
   constrain(m, d, {sense * crossing.solid, sense * crossing.patch});
   return m;
