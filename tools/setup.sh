@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that Meniscal is built and run with, and with --tests also the Khronos glTF validator, which
-# tests of exported scenes use, and with --gallery what tools/gallery.sh composes its sheet with. Says and does nothing when none
+# tests of exported scenes use, in CI clang, and with --gallery what tools/gallery.sh composes its sheet with. Says and does nothing when none
 # is missing.
 set -euo pipefail
 
@@ -19,6 +19,8 @@ packages=(
 )
 # Node may come from elsewhere than Debian.
 [[ $purpose != --tests ]] || { command -v node && command -v npm; } >/dev/null || packages+=(nodejs npm)
+# For the fuzz targets, whose test is skipped without.
+[[ $purpose != --tests || -z ${CI:-} ]] || packages+=(clang libclang-rt-14-dev)
 [[ $purpose != --gallery ]] || packages+=(python3-pil fonts-dejavu-core)
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

@@ -5,6 +5,7 @@
 #include "host/error.h"
 #include "host/image/compare.h"
 #include "host/image/exr.h"
+#include "host/render/header.h"
 #include "host/render/merge.h"
 #include "host/scene/images.h"
 #include "tests/fuzz/bytes.h"
@@ -28,6 +29,12 @@ void merge(const Image& image) {
     refused = true;
   }
   require(refused);
+  Image later = image;
+  const std::uint32_t last = meniscal::passes_of(image)->back().last;
+  if (last < meniscal::most_passes) {
+    meniscal::describe_passes(later, {{last, last + 1}}, 0);
+    merge.add(later, "later.exr");
+  }
   const Image merged = merge.result();
   require(merged.layers.size() == image.layers.size());
 }

@@ -105,7 +105,9 @@ meniscus::Liquid liquid(Bytes& bytes) {
   meniscus::Liquid result{"liquid", std::move(mesh), 1e-3 * std::pow(10, bytes.step(0, 1.5))};
   result.height_rule = static_cast<meniscus::HeightRule>(bytes.below(3));
   result.profile = static_cast<meniscus::Profile>(bytes.below(4));  // the paper's
-  result.flatten = bytes.below(4) == 1;
+  const unsigned kind_of_profile = bytes.below(4);
+  result.flatten = kind_of_profile == 1;
+  if (kind_of_profile == 3) result.profile = meniscus::Profile::solved;
   result.tolerance = 100;  // fewer triangles, more inputs
   return result;
 }
