@@ -20,20 +20,17 @@ SCENES = ("post", "area_light", "shadow_sausage", "tank", "glass_of_water", "two
 PAPER, FLAT = "paper profile", "flattened mesh"
 OPTIONS = {PAPER: ("--meniscus", "paper"), FLAT: (), "one bounce": ("--diffuse-bounces", 1),
            "no final gathering": ("--final-gathering", "off")}
-PHOTONS = 3.2  # a pixel and pass, as `final` has them where pixels are many
+PHOTONS = 3.2  # a pixel and pass, as `final` has them where pixels are many; few have more
 OF_MENISCI = (PAPER, FLAT)  # without menisci there is nothing to simplify
 
 
 def flattened(scene, folder):
-    """A copy of the scene whose liquids stay level, with their normals alone curved."""
+    """A copy of the scene, which holds its buffers and images itself, whose liquids stay level, with their normals alone curved."""
     with open(scene, encoding="utf-8") as file:
         gltf = json.load(file)
     for material in gltf["materials"]:
         if "meniscus_liquid" in material.get("extras", {}):
             material["extras"]["meniscus_flatten"] = 1
-    for entry in gltf.get("buffers", []) + gltf.get("images", []):
-        if not entry.get("uri", "data:").startswith("data:"):
-            entry["uri"] = os.path.relpath(os.path.join(os.path.dirname(scene), entry["uri"]), folder)
     path = os.path.join(folder, "flattened.gltf")
     with open(path, "w", encoding="utf-8") as file:
         json.dump(gltf, file)

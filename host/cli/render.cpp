@@ -95,7 +95,7 @@ void render(const RenderOptions& options) {
 
   const std::unique_ptr<Backend> backend = start_backend(options, world, settings, run.stages);
   Film film(settings.crop, options.aovs, options.map_scale, scene.origin);
-  const PassRange asked = options.passes_to_run();
+  const PassRange asked = options.passes_to_run(settings.crop.pixels());
   Checkpoint so_far{{asked.first, asked.first}, {}, 0};
   std::optional<Keeper> keeper;
   if (options.checkpoint) keeper.emplace(*options.checkpoint, identity_of_run(options, scene, settings, film));
@@ -125,14 +125,7 @@ void render(const RenderOptions& options) {
   run.passes = so_far.passes;
   run.error_estimate = film.error_estimate();
   run.backend = backend->statistics();
-  if (run.backend.traversal_limits > 0)
-    fmt::print(stderr, "meniscal: warning: {} rays were cut short in the hierarchy; the picture lacks their light\n",
-               run.backend.traversal_limits);
-  if (run.backend.media_dropped > 0)
-    fmt::print(stderr,
-               "meniscal: warning: {} times a path was inside more than 4 transparent volumes at once; it forgot the "
-               "one of the lowest dielectric_priority\n",
-               run.backend.media_dropped);
+  for (const std::string& w : limits_hit(run.backend)) fmt::print(stderr, "meniscal: warning: {}\n", w);
 
   const Stopwatch writing;
   Image image = film.image(settings.width, settings.height);

@@ -126,7 +126,8 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
   const auto by_quality = [](auto value) {
     return fmt::format("{}|{}|{} by quality", value(Quality::draft), value(Quality::preview), value(Quality::final));
   };
-  command.add_option("--photons", options.photons, "Photons started per pass; by default so many a pixel")
+  command
+      .add_option("--photons", options.photons, "Photons started per pass; by default so many a pixel, 1048576 at most")
       ->type_name("N")
       ->transform(whole(1, 1 << 30))
       ->default_str(by_quality([](Quality q) { return preset(q).photons_per_pixel; }));
@@ -134,7 +135,8 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       ->type_name("N")
       ->transform(whole(1, most_passes))
       ->default_str(by_quality([](Quality q) { return preset(q).passes; }) +
-                    "; no limit with --time or --target-error");
+                    ", more of fewer samples where pixels ask for too many photons; no limit with --time or "
+                    "--target-error");
   command.add_option("--time", options.time, "Ends the program after so long; a pass that would not fit is not begun")
       ->type_name("SECONDS")
       ->check(positive());
@@ -146,7 +148,7 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--samples", options.samples, "Camera rays a pixel and pass: the more, the smoother edges are")
       ->type_name("N")
       ->transform(whole(1, 1 << 16))
-      ->default_str(by_quality([](Quality q) { return preset(q).samples; }) +
+      ->default_str(by_quality([](Quality q) { return preset(q).plain_samples; }) +
                     fmt::format(", {} with final gathering", preset(Quality::final).gathering_samples));
   command
       .add_option("--highlight-samples", options.highlight_samples,
@@ -154,8 +156,8 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
                   "other camera rays")
       ->type_name("N")
       ->transform(whole(0, 1 << 16))
-      ->default_str(by_quality([](Quality q) { return preset(q).highlight_samples; }) +
-                    " where a light is narrow, else 16");
+      ->default_str(by_quality([](Quality q) { return preset(q).spark_samples; }) +
+                    fmt::format(" where a light is narrow, else {}", RenderOptions::default_highlight_samples));
   add_parsed(
       command, "--pass-range", "A:B", "Only passes A <= i < B, for splitting over machines",
       [&](const std::string& name, const std::string& text) { options.pass_range = parse_pass_range(name, text); });
@@ -228,7 +230,7 @@ void require_own_names(const RenderOptions& options) {
 void finish(RenderOptions& options) {
   if (options.output.empty()) options.output = std::filesystem::path(options.scene).stem().string() + ".exr";
   require_own_names(options);
-  const PassRange range = options.passes_to_run();
+  const PassRange range = options.passes_to_run(1);
   if (range.last <= range.first)
     throw CLI::ValidationError(
         "--pass-range", fmt::format("begins at pass {}, but --passes ends before pass {}", range.first, range.last));
@@ -242,9 +244,9 @@ void finish(RenderOptions& options) {
 
 }  // namespace
 
-PassRange RenderOptions::passes_to_run() const {
+PassRange RenderOptions::passes_to_run(std::size_t pixels) const {
   if (pass_range) return {pass_range->first, std::min(pass_range->last, passes.value_or(pass_range->last))};
-  return {0, passes.value_or(time || target_error ? most_passes : preset(quality).passes)};
+  return {0, passes.value_or(time || target_error ? most_passes : preset(quality).budget(pixels, false).passes)};
 }
 
 void add_view_options(CLI::App& command, RenderOptions& options, int default_width) {
@@ -283,7 +285,8 @@ void add_meniscus_options(CLI::App& command, MeniscusModel& model, double& toler
       ->default_str("exact");
   command
       .add_option("--meniscus-tolerance", tolerance,
-                  "Factor on how far the facets of menisci may be off; by default 1 um on water, and 0.036 degrees")
+                  "Factor on how far the facets of menisci may be off, 1 um on water and 0.036 degrees; pictures "
+                  "also fit it to what they show")
       ->type_name("F")
       ->check(positive())
       ->capture_default_str();

@@ -21,27 +21,36 @@ struct Resolution {
 // Named points on the trade of speed for accuracy, from sweeps of `meniscal tradeoff` over scenes/: none of its knobs,
 // turned from there, buys a much smaller error for the same CPU seconds on all of them.
 enum class Quality { draft, preview, final };
+struct Budget {
+  std::uint32_t passes, photons, samples;  // the latter two of each pass
+};
 struct Preset {
   double photons_per_pixel;  // and pass
-  std::uint32_t least_photons, passes, samples;
-  std::uint32_t gathering_samples;  // with final gathering, of one bounced path each
-  std::uint32_t highlight_samples;  // where a light is narrow: in menisci it shows as sparks
+  std::uint32_t least_photons, passes;
+  std::uint32_t plain_samples, gathering_samples;  // without and with final gathering, of one bounced path each
+  std::uint32_t spark_samples;  // that look for highlights where a light is narrow: in menisci it shows as sparks
+  bool final_gathering;
+  bool fits_footprints;  // of photons to the view. Passes average noise, but not blur: not where many are to follow
 
-  std::uint32_t photons(std::size_t pixels) const {
-    return static_cast<std::uint32_t>(std::clamp(photons_per_pixel * double(pixels), double(least_photons), 1e9));
+  // Samples are cheap while a pass' photons are on the device at once: a picture so large that they would not be has
+  // more passes, of as many fewer samples.
+  Budget budget(std::size_t pixels, bool gathers) const {
+    const double wanted = photons_per_pixel * double(pixels);
+    const auto parts = static_cast<std::uint32_t>(std::max(std::ceil(wanted / kPhotonsAtOnce), 1.0));
+    return {passes * parts, std::max(static_cast<std::uint32_t>(wanted / parts), least_photons),
+            ((gathers ? gathering_samples : plain_samples) + parts - 1) / parts};
   }
 };
 constexpr Preset preset(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {0.64, 40000, 1, 1, 1, 16};
+      return {0.64, 40000, 1, 1, 1, 16, false, true};
     case Quality::preview:
-      return {1.6, 100000, 2, 2, 2, 36};
+      return {1.6, 100000, 2, 2, 2, 36, false, true};
     case Quality::final:
       break;
   }
-  // At 640x480 pixels a pass' photons fit on the device at once: more would cost the samples, see choose_settings.
-  return {3.2, 250000, 2, 4, 16, 64};
+  return {3.2, 250000, 2, 4, 16, 64, true, false};
 }
 
 struct RenderOptions {
@@ -81,12 +90,10 @@ struct RenderOptions {
   bool quiet = false, json_progress = false;
 
   static constexpr int default_width = 640;
+  static constexpr std::uint32_t default_highlight_samples = 16;  // where all lights are wide
 
-  // For a crop of so many pixels.
-  std::uint32_t photons_per_pass(std::size_t pixels) const { return photons.value_or(preset(quality).photons(pixels)); }
-
-  // The passes to run: those of --pass-range below --passes. Never empty after parsing.
-  PassRange passes_to_run() const;
+  // The passes to run of a crop of so many pixels: those of --pass-range below --passes. Never empty after parsing.
+  PassRange passes_to_run(std::size_t pixels) const;
 };
 
 // Adds scene and options to the subcommand; `options` must outlive the parsing. Values that are wrong by themselves, or

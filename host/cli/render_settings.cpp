@@ -33,8 +33,8 @@ Resolution size_of(const Camera& camera, int width) {
 
 std::uint32_t highlight_samples_of(const RenderOptions& options, const Scene& scene) {
   if (options.highlight_samples) return *options.highlight_samples;
-  const bool wide = narrowest_light(scene) > kHidingLight;
-  return preset(wide ? Quality::draft : options.quality).highlight_samples;
+  return narrowest_light(scene) > kHidingLight ? RenderOptions::default_highlight_samples
+                                               : preset(options.quality).spark_samples;
 }
 
 namespace {
@@ -110,26 +110,22 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.camera.pose[3] = glm::dvec4(stand_clear(world, glm::dvec3(settings.camera.pose[3])), 1);
   settings.camera_media = media_at(world, camera_axes(settings.camera, settings.width, settings.height).origin);
   settings.footprint = pixel_footprint(world, settings);
-  const std::uint32_t photons = options.photons_per_pass(settings.crop.pixels());
-  const bool gathers =
-      settings.diffuse_bounces > 0 && options.final_gathering.value_or(options.quality == Quality::final);
   const Preset usual = preset(options.quality);
+  const bool gathers = settings.diffuse_bounces > 0 && options.final_gathering.value_or(usual.final_gathering);
+  const Budget budget = usual.budget(settings.crop.pixels(), gathers && options.integrator != Integrator::path);
+  settings.photons = options.photons.value_or(budget.photons);
   // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.
-  settings.samples =
-      options.samples.value_or(photons > settings.photons_at_once                  ? 1
-                               : gathers && options.integrator != Integrator::path ? usual.gathering_samples
-                                                                                   : usual.samples);
+  settings.samples = options.samples.value_or(settings.photons > settings.photons_at_once ? 1 : budget.samples);
   if (options.integrator == Integrator::path) return settings;
   const std::uint32_t rays = highlight_samples_of(options, scene);
   if (rays > 0) {
     settings.highlights = find_highlights(world).lights;
     settings.highlight_cells = static_cast<std::uint32_t>(std::max(1.0, std::round(std::sqrt(rays))));
   }
-  settings.photons = photons;
   settings.final_gathering = gathers;
   set_beams(settings, options, world,
-            options.integrator == Integrator::ordinary ? light_beams(world, photons)
-                                                       : make_beams(world, default_starts(world), photons));
+            options.integrator == Integrator::ordinary ? light_beams(world, settings.photons)
+                                                       : make_beams(world, default_starts(world), settings.photons));
   set_global(settings, world, default_budgets(settings).global);
   // Smooth faces have no lobe to follow.
   settings.bounces_gloss = world.glossy && settings.diffuse_bounces > 0 &&
@@ -148,10 +144,8 @@ bool focus(RenderSettings& settings, const RenderOptions& options, const World& 
   MapNoise noise = pilot.noise;
   noise.global /= narrowing * narrowing;
   const Budgets budgets = share_photons({settings.photons, settings.global.count()}, noise);
-  // More passes go on from `final`: they average noise, but not blur.
-  const double widening = options.radius || budgets.caustics == 0 || options.quality == Quality::final
-                              ? 1
-                              : find_widening(backend, world, settings, pilot.starts, budgets.caustics);
+  const bool fits = preset(options.quality).fits_footprints && !options.radius && budgets.caustics > 0;
+  const double widening = fits ? find_widening(backend, world, settings, pilot.starts, budgets.caustics) : 1;
   set_beams(settings, options, world, make_beams(world, pilot.starts, budgets.caustics, widening));
   set_global(settings, world, budgets.global, narrowing);
   backend.configure(settings);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "host/cli/commands.h"
 #include "host/cli/interrupt.h"
@@ -16,6 +17,7 @@
 #include "host/cpu_seconds.h"
 #include "host/error.h"
 #include "host/image/atomic_file.h"
+#include "host/render/statistics.h"
 #include "host/stopwatch.h"
 #include "host/tradeoff/pictures.h"
 #include "host/tradeoff/report.h"
@@ -55,6 +57,7 @@ struct Rendered {
   RenderSettings settings;
   Backend::Statistics backend;
   bool menisci = false;
+  std::vector<std::string> warnings;
 };
 
 // Everything from the loaded scene to the last pass, device and shaders included. Nothing once interrupted.
@@ -69,12 +72,14 @@ std::optional<Rendered> render(const RenderOptions& options, const Scene& scene,
   {
     Stages stages;
     const std::unique_ptr<Backend> backend = start_backend(options, world, result.settings, stages);
-    render_passes(*backend, options.passes_to_run(), film, [&](const Tallies&) {
+    render_passes(*backend, options.passes_to_run(result.settings.crop.pixels()), film, [&](const Tallies&) {
       if (progress) progress->update(film.passes());
       return !interrupted();
     });
     result.backend = backend->statistics();
   }
+  result.warnings = world.warnings;
+  for (std::string& w : limits_hit(result.backend)) result.warnings.push_back(std::move(w));
   result.cpu_seconds = cpu_seconds() - cpu, result.wall_seconds = wall.seconds();
   if (interrupted()) return std::nullopt;
   result.error_estimate = film.error_estimate();
@@ -109,24 +114,32 @@ std::vector<SweptPreset> swept_presets(const Scene& scene, std::size_t pixels) {
     const Preset p = preset(quality);
     RenderOptions usual;
     usual.quality = quality;
-    const bool gathers = quality == Quality::final;
-    presets.push_back({name, p.photons(pixels), p.passes, gathers ? p.gathering_samples : p.samples,
-                       highlight_samples_of(usual, scene), usual.diffuse_bounces, gathers});
+    const Budget budget = p.budget(pixels, p.final_gathering);
+    presets.push_back({name, budget.photons, budget.passes, budget.samples, highlight_samples_of(usual, scene),
+                       usual.diffuse_bounces, p.final_gathering});
   }
   return presets;
 }
 
-// Menisci that fail at one tolerance and not at another matter here as anywhere.
-void warn(const Scene& scene) {
-  for (const std::string& w : scene.warnings) fmt::print(stderr, "meniscal: warning: {}\n", w);
-}
+// Each once: menisci that fail at one tolerance and not at another matter here as anywhere.
+class Warnings {
+ public:
+  void say(const std::vector<std::string>& warnings) {
+    for (const std::string& w : warnings)
+      if (said_.insert(w).second) fmt::print(stderr, "meniscal: warning: {}\n", w);
+  }
+
+ private:
+  std::set<std::string> said_;
+};
 
 void measure(Report& report, const TradeoffOptions& options, const Scene& scene, const Reference& reference,
-             Progress& progress) {
+             Warnings& warnings, Progress& progress) {
   progress.begin("settings", static_cast<long>(report.sweep.settings.size()));
   for (const Setting& setting : report.sweep.settings) {
     const auto rendered = render(parsed(options, setting.arguments), scene, nullptr);
     if (!rendered) break;
+    warnings.say(rendered->warnings);
     report.points.push_back(
         {setting, rendered->cpu_seconds, rendered->wall_seconds, reference.errors_of(rendered->image)});
     if (setting.knob == "preset")
@@ -166,7 +179,8 @@ void run(const TradeoffOptions& given) {
   Progress progress(progress_style(common.quiet, common.json_progress, isatty(STDERR_FILENO) != 0));
 
   const Scene scene = load_gltf(common.scene);
-  warn(scene);
+  Warnings warnings;
+  warnings.say(scene.warnings);
   if (!common.resolution)
     common.resolution = size_of(find_camera(scene, common.camera), options.quick ? kQuickWidth : kWidth);
   if (options.quick && !options.passes_given) options.passes = 8;
@@ -175,6 +189,7 @@ void run(const TradeoffOptions& given) {
   progress.begin("reference", options.passes);
   auto converged = render(parsed(options, arguments), scene, &progress);
   if (!converged) throw Error(ExitCode::interrupted, "interrupted before anything was measured; nothing is written");
+  warnings.say(converged->warnings);
   const Reference reference(std::move(converged->image), common.tonemap, common.exposure);
 
   Report report;
@@ -188,7 +203,7 @@ void run(const TradeoffOptions& given) {
       swept_presets(scene, converged->settings.crop.pixels()),
       {converged->menisci, converged->settings.highlights != shared::HIGHLIGHTS_NONE, converged->settings.footprint},
       options.quick);
-  measure(report, options, scene, reference, progress);
+  measure(report, options, scene, reference, warnings, progress);
   if (report.points.empty())
     throw Error(ExitCode::interrupted, "interrupted before anything was measured; nothing is written");
   write(options, report, reference);

@@ -22,8 +22,10 @@ class Demand {
   meniscus::Need need(std::span<const glm::dvec3> beside, double capillary_length) const;
 
  private:
+  std::vector<glm::dvec3> look() const;
   double footprint(const glm::dvec3& point) const;  // of a pixel, metres
   bool in_frame(const glm::dvec3& point) const;
+  bool is_free(const glm::dvec3& from, const glm::dvec3& to) const;
   double coarsest(const glm::dvec3& point, double capillary_length) const;
   bool reaches_camera(const glm::dvec3& point) const;
   bool meets_light(const glm::dvec3& point, double choice) const;
@@ -39,6 +41,7 @@ class Demand {
   std::vector<glm::dvec3> lamps_;    // a point of each emissive triangle
   std::vector<std::uint8_t> emits_;  // by material
   reference::Tracer tracer_;
+  std::vector<glm::dvec3> view_;  // points that the camera sees, all over the picture
 };
 
 }  // namespace meniscal

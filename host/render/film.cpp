@@ -3,12 +3,19 @@
 #include <algorithm>
 #include <functional>
 #include <glm/gtc/constants.hpp>
+#include <limits>
 
 namespace meniscal {
 namespace {
 
 using shared::PixelGloss;
 using shared::PixelSample;
+
+// What is beyond them, as variances of very bright pictures are, is the greatest that images hold.
+float to_float(double value) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(value, -most, most));
+}
 
 // A sample with its gloss; all zeros where nothing reflects beyond Lambert's law.
 struct Seen {
@@ -182,15 +189,15 @@ Image Film::image(std::uint32_t full_width, std::uint32_t full_height) const {
 
   Layer beauty{"", rgb, {}};
   for (std::size_t i = 0; i < beauty_.pixels(); ++i)
-    for (int c = 0; c < 3; ++c) beauty.pixels.push_back(static_cast<float>(beauty_.mean(i)[c]));
+    for (int c = 0; c < 3; ++c) beauty.pixels.push_back(to_float(beauty_.mean(i)[c]));
   image.layers.push_back(std::move(beauty));
   for (const Sum& sum : aovs_) {
     Layer layer{sum.name, sum.channels, {}};
     if (sum.name == "variance") {
       for (std::size_t i = 0; i < beauty_.pixels(); ++i)
-        for (int c = 0; c < 3; ++c) layer.pixels.push_back(static_cast<float>(beauty_.variance(i)[c]));
+        for (int c = 0; c < 3; ++c) layer.pixels.push_back(to_float(beauty_.variance(i)[c]));
     } else {
-      for (double v : sum.values) layer.pixels.push_back(static_cast<float>(v * scale));
+      for (double v : sum.values) layer.pixels.push_back(to_float(v * scale));
     }
     image.layers.push_back(std::move(layer));
   }

@@ -119,12 +119,12 @@ MapNoise difference(const Samples& a, const Samples& b) {
   MapNoise sum;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const shared::PixelSample &p = a.pixels[i], &q = b.pixels[i];
-    glm::vec3 caustics = p.weight * (p.targeted + p.caustic - q.targeted - q.caustic);
-    glm::vec3 global = p.weight * (p.global - q.global);
+    glm::dvec3 caustics = p.weight * (p.targeted + p.caustic - q.targeted - q.caustic);  // squares outgrow floats
+    glm::dvec3 global = p.weight * (p.global - q.global);
     if (!a.gloss.empty()) {
       const shared::PixelGloss &g = a.gloss[i], &h = b.gloss[i];
-      caustics += g.targeted + g.caustic - h.targeted - h.caustic;
-      global += g.global - h.global;
+      caustics += glm::dvec3(g.targeted + g.caustic - h.targeted - h.caustic);
+      global += glm::dvec3(g.global - h.global);
     }
     sum.caustics += mean_of(caustics * caustics);
     sum.global += mean_of(global * global);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/world/triangles.h"
+
 namespace meniscal {
 
 CameraAxes camera_axes(const Camera& camera, std::uint32_t width, std::uint32_t height) {
@@ -38,11 +40,7 @@ double diffuse_distance(const World& world, const glm::dvec3& origin, const glm:
     const double cosine = glm::dot(t.geometric, direction);
     const double distance = glm::dot(t.corner[0] - origin, t.geometric) / cosine;
     if (!(distance > 0 && distance < nearest)) continue;
-    const glm::dvec3 point = origin + distance * direction;
-    bool inside = true;
-    for (int k = 0; k < 3; ++k)
-      inside &= glm::dot(glm::cross(t.corner[(k + 1) % 3] - t.corner[k], point - t.corner[k]), t.geometric) >= 0;
-    if (inside) nearest = distance;
+    if (is_over(t, origin + distance * direction)) nearest = distance;
   }
   return nearest;
 }
@@ -51,7 +49,7 @@ double diffuse_distance(const World& world, const glm::dvec3& origin, const glm:
 
 double pixel_footprint(const World& world, const RenderSettings& settings) {
   const CameraAxes axes = camera_axes(settings.camera, settings.width, settings.height);
-  const double per_pixel = 2 * glm::length(axes.up) / settings.height;
+  const double per_pixel = pixel_side(axes, settings.height);
   if (settings.camera.orthographic) return per_pixel;
   std::vector<double> distances;
   for (double y : {-0.4, 0.0, 0.4}) {

@@ -56,6 +56,9 @@ struct PhotonSet {
   std::uint32_t count() const { return beams.empty() ? 0 : beams.back().first + beams.back().count; }
 };
 
+// On the device: a pass of more takes them in turns, so that memory is bounded.
+constexpr std::uint32_t kPhotonsAtOnce = 1u << 20;
+
 struct RenderSettings {
   Integrator integrator = Integrator::targeted;
   std::uint32_t seed = 0;
@@ -73,8 +76,7 @@ struct RenderSettings {
   bool final_gathering = false;
   // The lobes of rough outer faces are followed by as many more camera paths, too, where they reflect the scene.
   bool bounces_gloss = false;
-  std::uint32_t photons_at_once =
-      1u << 20;               // on the device: a pass of more takes them in turns, so that memory is bounded
+  std::uint32_t photons_at_once = kPhotonsAtOnce;
   std::uint32_t samples = 1;  // camera paths a pixel and pass
   // Where light is reflected in part, camera paths go 0: one way, by roulette; 1: both ways at the first such surface;
   // 2: at later ones, too.
@@ -108,6 +110,9 @@ struct CameraAxes {
   glm::dvec3 right, up, forward, origin;
 };
 CameraAxes camera_axes(const Camera& camera, std::uint32_t width, std::uint32_t height);
+
+// Side of a pixel of an orthographic camera, metres; of another per metre of distance.
+inline double pixel_side(const CameraAxes& axes, std::uint32_t height) { return 2 * glm::length(axes.up) / height; }
 
 // Side of a pixel on what the middle of the image sees; on the scene's centre where it sees nothing. Metres.
 double pixel_footprint(const World& world, const RenderSettings& settings);

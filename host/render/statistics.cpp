@@ -1,5 +1,7 @@
 #include "host/render/statistics.h"
 
+#include <fmt/format.h>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -107,6 +109,19 @@ std::size_t host_peak_bytes() {
 }
 
 }  // namespace
+
+std::vector<std::string> limits_hit(const Backend::Statistics& backend) {
+  std::vector<std::string> warnings;
+  if (backend.traversal_limits > 0)
+    warnings.push_back(fmt::format("{} rays were cut short in the hierarchy; the picture lacks their light",
+                                   backend.traversal_limits));
+  if (backend.media_dropped > 0)
+    warnings.push_back(
+        fmt::format("{} times a path was inside more than 4 transparent volumes at once; it forgot the one of the "
+                    "lowest dielectric_priority",
+                    backend.media_dropped));
+  return warnings;
+}
 
 Json statistics_json(const World& world, const RenderSettings& settings, MeniscusModel model,
                      const RunStatistics& run) {

@@ -21,6 +21,9 @@ struct RunStatistics {
   Stages stages;  // of the host that not all renders have, but for the world's and the backend's
 };
 
+// Warnings: bounds that the rendering ran into, and what they cost the picture.
+std::vector<std::string> limits_hit(const Backend::Statistics& backend);
+
 nlohmann::ordered_json statistics_json(const World& world, const RenderSettings& settings, MeniscusModel model,
                                        const RunStatistics& run);
 

@@ -29,6 +29,7 @@ double find_widening(Backend& backend, const World& world, const RenderSettings&
   const std::uint32_t few = std::min(std::clamp(photons / 8, least, most), photons);
   const double part = double(few) / photons;
   RenderSettings look = coarse_view(settings);
+  look.seed = ~look.seed;  // what is rendered does not decide on itself
   look.global.beams.clear();
   const auto light = [&](double widening) {
     // Reach goes by the photons' spacing and, from there, as their number to the power of 0.2.

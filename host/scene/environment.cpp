@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "host/image/exr.h"
 #include "host/scene/extras.h"
@@ -36,7 +35,7 @@ std::size_t scale(std::vector<glm::vec3>& colours, double strength) {
   for (glm::vec3& colour : colours)
     for (int c = 0; c < 3; ++c) {
       const double value = strength * double(colour[c]);
-      const bool usable = value >= 0 && value <= double(std::numeric_limits<float>::max());
+      const bool usable = value >= light_range.low && value <= light_range.high;
       colour[c] = usable ? static_cast<float>(value) : 0;
       unusable += usable ? 0 : 1;
     }
@@ -77,7 +76,8 @@ std::optional<Environment> read_environment(const tinygltf::Model& model, AssetF
   const std::size_t unusable = scale(environment.radiance, strength);
   stages.add("environment image", watch.seconds());
   if (unusable > 0)
-    messages.warn(object, fmt::format("{} numbers that are negative, infinite or none are taken as 0", unusable));
+    messages.warn(object, fmt::format("{} numbers that are negative, beyond {} or none are taken as 0", unusable,
+                                      light_range.high));
   if (std::all_of(environment.radiance.begin(), environment.radiance.end(),
                   [](const glm::vec3& c) { return c == glm::vec3(0); })) {
     messages.warn(object, "is black");

@@ -1,4 +1,5 @@
 // load_gltf: source -> plain values.
+#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -45,6 +46,13 @@ bool emits(const Scene& scene) {
   return !scene.lights.empty() || scene.environment;
 }
 
+void require_near(const std::string& object, const glm::dvec3& position, const Messages& messages) {
+  const double distance = glm::length(position);
+  if (!(distance <= greatest_extent))
+    messages.fail(object, fmt::format("is {:.3g} m from the scene", distance),
+                  fmt::format("bring it within {:.0e} m", greatest_extent));
+}
+
 Scene assemble(const Source& source, Messages& messages) {
   const tinygltf::Model& model = source.model;
   Scene scene;
@@ -56,8 +64,10 @@ Scene assemble(const Source& source, Messages& messages) {
   const Box box = bounding_box(model, nodes, meshes);
   if (!(box.low.x <= box.high.x))
     messages.fail("scene", "has no triangles", "export at least one mesh (and check which objects are exported)");
-  if (!std::isfinite(glm::length(box.high - box.low)))
-    messages.fail("scene", "reaches to infinity", "check the nodes' translations and scales");
+  const double extent = glm::length(box.high - box.low);
+  if (!(extent <= greatest_extent) || (extent > 0 && extent < least_extent))
+    messages.fail("scene", fmt::format("is {:.3g} m across", extent),
+                  fmt::format("scale it to between {:.0e} and {:.0e} m", least_extent, greatest_extent));
   scene.origin = local_origin(box);
   scene.objects = place_objects(model, nodes, meshes, scene.origin, scene.materials, messages);
   if (scene.objects.empty()) messages.fail("scene", "has no triangle with an area", "check the nodes' scales");
@@ -67,8 +77,17 @@ Scene assemble(const Source& source, Messages& messages) {
     messages.warn("scene", "has no camera: one that sees everything from above is used");
   }
   scene.lights = read_lights(model, nodes, messages);
-  for (Camera& camera : scene.cameras) camera.pose = relative_to(camera.pose, scene.origin);
-  for (PunctualLight& light : scene.lights) light.position -= scene.origin;
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    Camera& camera = scene.cameras[i];
+    camera.pose = relative_to(camera.pose, scene.origin);
+    require_near(label("camera", camera.name, i), glm::dvec3(camera.pose[3]), messages);
+  }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    PunctualLight& light = scene.lights[i];
+    light.position -= scene.origin;
+    if (light.type != PunctualLight::Type::directional)
+      require_near(label("light", light.name, i), light.position, messages);
+  }
   read_scene_extras(model, scene, messages);
   warn_of_misplaced_extras(model, nodes, messages);
   if (!emits(scene)) messages.warn("scene", "has neither a light nor an emissive object: the image will be black");

@@ -64,21 +64,26 @@ std::shared_ptr<const TextureImage> Images::decode(std::size_t index) {
   // Before there is room made for them.
   check(texels <= greatest_expansion * file.size(),
         fmt::format("it claims {} x {} texels, which its {} bytes cannot hold", width, height, file.size()));
+  if (texels_ + texels > free_texels + texels_per_byte * (bytes_ + file.size()))
+    messages_.fail(object,
+                   fmt::format("brings the scene's images to {} texels, over {} for each byte of their files",
+                               texels_ + texels, texels_per_byte),
+                   "make images of few colours smaller");
 
   TextureImage image{.name = source.name.empty() ? source.uri : source.name};
   image.width = static_cast<std::uint32_t>(width);
   image.height = static_cast<std::uint32_t>(height);
   image.deep = stbi_is_16_bit_from_memory(file.data(), size) != 0;
-  image.words.resize(texels * (image.deep ? 2 : 1));
   void* decoded = nullptr;  // four channels, grey in red, green and blue alike
   if (image.deep)
     decoded = stbi_load_16_from_memory(file.data(), size, &width, &height, &channels, 4);
   else
     decoded = stbi_load_from_memory(file.data(), size, &width, &height, &channels, 4);
   check(decoded != nullptr, "it is damaged, its end is missing, or it needs more memory than there is");
+  image.words.resize(texels * (image.deep ? 2 : 1));
   std::memcpy(image.words.data(), decoded, 4 * image.words.size());  // hosts are little-endian, as Vulkan's are
   stbi_image_free(decoded);
-  texels_ += texels;
+  texels_ += texels, bytes_ += file.size();
   stages_.add("images", watch.seconds());
   return decoded_[index] = std::make_shared<const TextureImage>(std::move(image));
 }

@@ -88,13 +88,13 @@ Material read_material(const tinygltf::Model& model, std::size_t index, Images& 
   material.metallic = messages.in_range(object, "metallicFactor", pbr.metallicFactor, unit);
   material.roughness = messages.in_range(object, "roughnessFactor", pbr.roughnessFactor, unit);
   material.transmission = transmission.number("transmissionFactor", 0, unit);
-  material.ior = ior.number("ior", material.ior, {1, infinity});
+  material.ior = ior.number("ior", material.ior, {1, 1e6});
   material.specular = specular.number("specularFactor", 1, unit);
   material.specular_color = specular.color("specularColorFactor");
   material.has_thickness = volume.number("thicknessFactor", 0, not_negative) > 0;
   material.absorption = absorption(volume);
-  material.emission = vector(source.emissiveFactor, object, "emissiveFactor", not_negative, messages) *
-                      emissive.number("emissiveStrength", 1, not_negative);
+  material.emission = vector(source.emissiveFactor, object, "emissiveFactor", color_range, messages) *
+                      emissive.number("emissiveStrength", 1, light_range);
   material.double_sided = source.doubleSided;
   if (source.alphaMode != "OPAQUE") messages.warn(object, fmt::format("alphaMode {} is ignored", source.alphaMode));
 

@@ -13,6 +13,10 @@ struct Range {
   bool low_open = false;
 };
 
+// What single precision leaves room for: products of three lengths, and light focused or from nearby.
+constexpr Range light_range{0, 1e24}, color_range{0, 1e6};
+constexpr double greatest_extent = 1e12, least_extent = 1e-12;  // of a scene, metres
+
 class Messages {
  public:
   explicit Messages(std::string file) : file_(std::move(file)) {}

@@ -82,9 +82,9 @@ PunctualLight read_light(const tinygltf::Light& source, const std::string& objec
   const glm::dmat4 pose = rigid(to_world, object, messages);
   light.position = dvec3(pose[3]);
   light.direction = -dvec3(pose[2]);
-  light.intensity = dvec3(messages.in_range(object, "intensity", source.intensity, not_negative));
+  light.intensity = dvec3(messages.in_range(object, "intensity", source.intensity, light_range));
   for (int k = 0; k < 3 && !source.color.empty(); ++k)
-    light.intensity[k] *= messages.in_range(object, "color", source.color[static_cast<std::size_t>(k)], not_negative);
+    light.intensity[k] *= messages.in_range(object, "color", source.color[static_cast<std::size_t>(k)], color_range);
   if (source.range > 0)
     messages.warn(object, "range is ignored: light falls off with the square of the distance alone");
   if (light.type == Type::spot) {

@@ -27,6 +27,9 @@ Extent extent_of(const meniscus::TriangleMesh& mesh) {
 
 double narrowest_light(const Scene& scene) {
   if (scene.environment) return 0;
+  std::vector<Extent> liquids;
+  for (const Object& object : scene.objects)
+    if (scene.materials[object.material].liquid) liquids.push_back(extent_of(object.mesh));
   double narrowest = std::numeric_limits<double>::infinity();
   for (const PunctualLight& light : scene.lights)
     narrowest = std::min(narrowest, light.type == PunctualLight::Type::directional ? light.angular_diameter : 0);
@@ -36,12 +39,11 @@ double narrowest_light(const Scene& scene) {
     if (material.emissive_texture) return 0;
     const Extent light = extent_of(lamp.mesh);
     if (!(light.area > 0)) continue;
-    for (const Object& object : scene.objects) {
-      if (!scene.materials[object.material].liquid) continue;
-      const Extent liquid = extent_of(object.mesh);
+    for (const Extent& liquid : liquids) {
       const double distance = glm::distance(light.middle(), liquid.middle()) + 0.5 * liquid.diagonal();
-      // Of a rectangle no less than seven tenths of its narrow side; of many small lamps in one mesh less than all.
-      narrowest = std::min(narrowest, light.area / light.diagonal() / distance);
+      // Of a rectangle no less than seven tenths of its narrow side; of many small lamps in one mesh less than all. A
+      // convex body is seen, in the mean, as a quarter of its area.
+      narrowest = std::min(narrowest, light.area / (lamp.closed ? 4 : 1) / light.diagonal() / distance);
     }
   }
   return narrowest;

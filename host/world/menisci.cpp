@@ -56,7 +56,7 @@ meniscus::Liquid make_liquid(const Scene& scene, const Object& object, MeniscusM
   liquid.flatten = p.flatten;
   liquid.tolerance = tolerance.factor;
   if (p.tolerance) liquid.tolerance *= *p.tolerance / (meniscus::kHeightTolerance * liquid.capillary_length);
-  if (tolerance.need)
+  if (tolerance.need && liquid.height_scale != 0)
     liquid.need = [&tolerance, length = liquid.capillary_length](std::span<const glm::dvec3> beside) {
       return tolerance.need(beside, length);
     };

@@ -14,36 +14,12 @@
 #include "host/world/menisci.h"
 #include "host/world/surfaces.h"
 #include "host/world/textures.h"
+#include "host/world/triangles.h"
 #include "shaders/shared/material.h"
 #include "shaders/shared/random.h"
 
 namespace meniscal {
 namespace {
-
-// `coordinates`: of the first of the mesh's triangles, as in WorldTriangle.
-void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh& mesh, std::uint32_t material,
-            const std::vector<std::uint8_t>* meniscus, bool target, bool within = false,
-            std::uint32_t coordinates = 0) {
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    WorldTriangle t{};
-    for (int k = 0; k < 3; ++k) {
-      t.corner[k] = mesh.positions[mesh.triangles[i][k]];
-      t.normal[k] = mesh.normals[mesh.triangles[i][k]];
-    }
-    const glm::dvec3 cross = glm::cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]);
-    const double length = glm::length(cross);
-    if (!(length > 0)) continue;
-    t.geometric = cross / length;
-    t.area = length / 2;
-    for (glm::dvec3& n : t.normal)
-      if (glm::dot(n, t.geometric) < 0) n = -n;
-    t.material = material;
-    t.coordinates = coordinates == 0 ? 0 : coordinates + static_cast<std::uint32_t>(i);
-    t.meniscus = target || (meniscus && (*meniscus)[i]);
-    t.within = within;
-    triangles.push_back(t);
-  }
-}
 
 // Six times the signed volume: negative where a closed mesh faces inward.
 double signed_volume(const meniscus::TriangleMesh& mesh) {
@@ -164,7 +140,7 @@ World build_world(const Scene& scene, MeniscusModel model, const MeniscusToleran
     const auto material = static_cast<std::uint32_t>(object.material);
     if (m.liquid) {
       const meniscus::Surface& surface = (next++)->surface;
-      append(world.triangles, surface.mesh, material, &surface.meniscus, false);
+      append(world.triangles, surface.mesh, {.material = material}, &surface.meniscus);
       add_volume(world, object, material, &surface.mesh);
       world.liquids.push_back(
           {object.name, surface.contacts,
@@ -180,8 +156,10 @@ World build_world(const Scene& scene, MeniscusModel model, const MeniscusToleran
                       scene.file, object.name));
     const std::uint32_t surface = object.closed ? closed_surface[material] : material;
     const bool textured = has_textures(m) && !object.coordinates.empty();
-    append(world.triangles, object.mesh, surface, nullptr, m.target, false,
-           textured ? static_cast<std::uint32_t>(world.coordinates.size()) + 1 : 0);
+    append(world.triangles, object.mesh,
+           {.material = surface,
+            .coordinates = textured ? static_cast<std::uint32_t>(world.coordinates.size()) + 1 : 0,
+            .meniscus = m.target});
     if (textured)
       world.coordinates.insert(world.coordinates.end(), object.coordinates.begin(), object.coordinates.end());
     add_volume(world, object, surface, nullptr);
@@ -189,13 +167,12 @@ World build_world(const Scene& scene, MeniscusModel model, const MeniscusToleran
   // What is inside solids, light meets only where these let it in.
   for (const LiquidSurface& liquid : liquids)
     append(world.triangles, keep_seen(world, liquid.surface.within),
-           static_cast<std::uint32_t>(scene.objects[liquid.object].material), nullptr, false, true);
+           {.material = static_cast<std::uint32_t>(scene.objects[liquid.object].material), .within = true});
   world.meniscus_seconds = watch.seconds();
   if (world.triangles.empty())
     throw Error(ExitCode::scene, scene.file + ": no triangle with an area; nothing to render");
 
-  for (const WorldTriangle& t : world.triangles)
-    for (const glm::dvec3& c : t.corner) world.radius = std::max(world.radius, glm::length(c));
+  world.radius = radius_of(world.triangles);
   build_hierarchy(world);
   build_lights(world, scene);
   world.glossy = reflects_beyond_lambert(world);

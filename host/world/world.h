@@ -19,15 +19,15 @@
 namespace meniscal {
 
 struct WorldTriangle {
-  std::array<glm::dvec3, 3> corner;  // metres, local
-  std::array<glm::dvec3, 3> normal;  // shading normals, unit, on the geometric normal's side
-  glm::dvec3 geometric;              // unit; the outside of a volume, the front of a sheet
-  double area;                       // m2
-  std::uint32_t material;            // index into surfaces
-  std::uint32_t coordinates;         // index + 1 into World::coordinates; 0: none
-  bool meniscus;                     // of a meniscus that matters, or of a material with `meniscus_target`
-  bool within;                       // of a liquid, inside a transparent solid
-  std::uint32_t light;               // of an area light: index + 1; else 0
+  std::array<glm::dvec3, 3> corner{};  // metres, local
+  std::array<glm::dvec3, 3> normal{};  // shading normals, unit, on the geometric normal's side
+  glm::dvec3 geometric{0};             // unit; the outside of a volume, the front of a sheet
+  double area = 0;                     // m2
+  std::uint32_t material = 0;          // index into surfaces
+  std::uint32_t coordinates = 0;       // index + 1 into World::coordinates; 0: none
+  bool meniscus = false;               // of a meniscus that matters, or of a material with `meniscus_target`
+  bool within = false;                 // of a liquid, inside a transparent solid
+  std::uint32_t light = 0;             // of an area light: index + 1; else 0
 };
 
 // A rectangle, corner and edges, across a distant light and through its targets; see light_view.h.

@@ -28,6 +28,12 @@ inline double relative_rms(const Picture& a, const Picture& b, double left_out =
   return std::sqrt(std::accumulate(differences.begin(), differences.end(), 0.0) / squares);
 }
 
+inline double mean(const Picture& picture) {
+  double sum = 0;
+  for (const glm::dvec3& p : picture) sum += p.y / double(picture.size());
+  return sum;
+}
+
 inline Picture scaled(Picture picture, double factor) {
   for (glm::dvec3& p : picture) p *= factor;
   return picture;

@@ -85,7 +85,7 @@ TEST_P(LightSize, FollowsTheFormFactor) {
   const auto setup = under_lamp(size, options, 1, 0);
   // Of four quarters, each seen from below its corner (Howell, configuration factor B-3).
   const double x = 0.5 * size / lamp_height, y = x / std::sqrt(1 + x * x);
-  const double irradiance = 4 * y * std::atan(y) / 1.0;
+  const double irradiance = 4 * y * std::atan(y);
   if (size == 0) {
     EXPECT_TRUE(setup->world.lights.empty());
     return;

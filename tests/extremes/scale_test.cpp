@@ -1,4 +1,6 @@
 // Scenes of any size and anywhere, pictures of any size, discs from a millionth of the scene to all of it.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -14,8 +16,6 @@ RenderOptions options_of(MeniscusModel model, std::uint32_t photons = 20000) {
   return options;
 }
 
-class SceneScale : public testing::TestWithParam<double> {};
-
 Both with_other_seed(const std::string& name, RenderOptions options) {
   options.seed = 7;
   return render_both(*test::make_setup(name, options));
@@ -29,18 +29,24 @@ void expect_same(const Both& a, const Both& b, const Both& other_seed, const std
     EXPECT_LT(relative_rms(a.*side, b.*side), 1e-3 + 1.2 * relative_rms(other_seed.*side, b.*side)) << what;
 }
 
+class SceneScale : public testing::TestWithParam<std::tuple<const char*, MeniscusModel>> {};
+
 TEST_P(SceneScale, ChangesNothing) {
   REQUIRE_DEVICE();
-  for (const char* name : {"shadow_sausage", "tank"})
-    for (const MeniscusModel model : {MeniscusModel::paper, MeniscusModel::exact}) {
-      const RenderOptions options = options_of(model);
-      const Both usual = render_both(*test::make_setup(name, options));
-      const Both other =
-          render_both(*test::make_setup(name, options, [](Scene& scene) { scale_by(scene, GetParam()); }));
-      expect_same(other, usual, with_other_seed(name, options), name);
-    }
+  const auto& [name, model] = GetParam();
+  const RenderOptions options = options_of(model);
+  const Both usual = render_both(*test::make_setup(name, options));
+  const Both other_seed = with_other_seed(name, options);
+  for (const double scale : {1e-6, 1e-3, 1e3, 1e6})
+    expect_same(render_both(*test::make_setup(name, options, [&](Scene& scene) { scale_by(scene, scale); })), usual,
+                other_seed, fmt::format("times {}", scale));
 }
-INSTANTIATE_TEST_SUITE_P(Scales, SceneScale, testing::Values(1e-6, 1e-3, 1e3, 1e6));
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneScale,
+                         testing::Combine(testing::Values("shadow_sausage", "tank"),
+                                          testing::Values(MeniscusModel::paper, MeniscusModel::exact)),
+                         [](const auto& tested) {
+                           return fmt::format("{}_{}", std::get<0>(tested.param), name_of(std::get<1>(tested.param)));
+                         });
 
 TEST(ScenePlace, TenKilometresAwayIsTheSame) {
   REQUIRE_DEVICE();
@@ -63,7 +69,7 @@ TEST(ScenePlace, TenKilometresAwayIsTheSame) {
 
 class DiscRadius : public testing::TestWithParam<double> {};
 
-TEST_P(DiscRadius, OfTheSceneGathersTheSameLight) {
+TEST_P(DiscRadius, OfTheSceneGivesTheSamePictureByBothPaths) {
   REQUIRE_DEVICE();
   RenderOptions options = options_of(MeniscusModel::paper, 2000);
   const auto radius = test::make_setup("post", options)->world.radius;

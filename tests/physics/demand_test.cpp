@@ -99,9 +99,20 @@ TEST(Demand, OfWhatTheCameraCannotSeeIsLeast) {
   EXPECT_FALSE(need_of(scene, pixels(64)).target);
 }
 
+// The bright edge that the meniscus throws, without the meniscus.
+TEST(Demand, FollowsThePixelsOfACausticFarFromItsMeniscus) {
+  Scene scene = post();
+  for (Material& m : scene.materials) m.contact_angle = 120;
+  test::look_down_on(scene, {5.8e-3, 0.04, 0}, 1e-3);
+  const meniscus::Need need = need_of(scene, pixels(64));
+  EXPECT_TRUE(need.target);
+  EXPECT_LT(need.coarseness, 1);
+}
+
 TEST(Demand, OfWhatLightReachesByAWindowIsNotLeast) {
   Scene scene = post();
-  const Object lid = test::make_quad("lid", glm::dvec3(-0.01, 0.05, -0.01) - scene.origin, {0.02, 0, 0}, {0, 0, 0.02}, 0);
+  const Object lid =
+      test::make_quad("lid", glm::dvec3(-0.01, 0.05, -0.01) - scene.origin, {0.02, 0, 0}, {0, 0, 0.02}, 0);
   scene.objects.push_back(lid);
   test::look_down_on(scene, {0, 0.04, 0}, 0.006);
   EXPECT_TRUE(need_of(scene, pixels(64)).target);

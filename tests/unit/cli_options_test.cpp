@@ -23,12 +23,30 @@ TEST(RenderOptions, FileNameAloneIsEnough) {
   EXPECT_EQ(o.device, "auto");
   EXPECT_EQ(o.meniscus, MeniscusModel::exact);
   EXPECT_EQ(o.tonemap, ToneMap::ward);
-  EXPECT_EQ(o.passes_to_run().first, 0u);
-  EXPECT_EQ(o.passes_to_run().last, preset(Quality::final).passes);
+  EXPECT_EQ(o.passes_to_run(1).first, 0u);
+  EXPECT_EQ(o.passes_to_run(1).last, preset(Quality::final).passes);
   EXPECT_EQ(o.map_scale.targeted, 1);
   EXPECT_TRUE(o.aovs.empty());
   EXPECT_FALSE(o.radius || o.resolution || o.crop || o.camera || o.preview || o.exposure || o.stats || o.passes ||
                o.pass_range);
+}
+
+TEST(Presets, BuyAPixelOfALargePictureNoLess) {
+  for (const Quality quality : {Quality::draft, Quality::preview, Quality::final}) {
+    const Preset p = preset(quality);
+    for (const bool gathers : {false, true})
+      for (const std::size_t pixels : {1ul, 1000ul, 640ul * 480, 1920ul * 1080, 3840ul * 2160, 16384ul * 16384}) {
+        const Budget b = p.budget(pixels, gathers);
+        EXPECT_LE(b.photons, kPhotonsAtOnce);
+        EXPECT_GE(b.samples, 1u);
+        EXPECT_GE(b.samples * b.passes, (gathers ? p.gathering_samples : p.plain_samples) * p.passes);
+        EXPECT_GE(double(b.photons + 1) * b.passes, 0.999 * p.photons_per_pixel * double(pixels) * p.passes);
+      }
+    const Budget usual = p.budget(640 * 480, true);
+    EXPECT_EQ(usual.passes, p.passes);
+    EXPECT_EQ(usual.samples, p.gathering_samples);
+  }
+  EXPECT_EQ(preset(Quality::final).budget(1920 * 1080, true).passes, 14u);
 }
 
 TEST(RenderOptions, EachOptionIsTaken) {
@@ -44,7 +62,7 @@ TEST(RenderOptions, EachOptionIsTaken) {
   EXPECT_EQ(o.meniscus, MeniscusModel::paper);
   EXPECT_EQ(o.meniscus_tolerance, 2.5);
   EXPECT_EQ(o.photons, 1000000u);
-  EXPECT_EQ(o.passes_to_run().last, 7u);
+  EXPECT_EQ(o.passes_to_run(1).last, 7u);
   EXPECT_EQ(o.radius, 2.5e-4);
   EXPECT_EQ(o.diffuse_bounces, 0);
   EXPECT_EQ(o.specular_bounces, 5);
@@ -68,19 +86,19 @@ TEST(RenderOptions, AovsAllAndNone) {
 }
 
 TEST(RenderOptions, PassRangeIsCutByPasses) {
-  const PassRange alone = parse("a --pass-range 16:64").passes_to_run(),
-                  cut = parse("a --pass-range 16:64 --passes 20").passes_to_run();
+  const PassRange alone = parse("a --pass-range 16:64").passes_to_run(1),
+                  cut = parse("a --pass-range 16:64 --passes 20").passes_to_run(1);
   EXPECT_EQ(std::make_pair(alone.first, alone.last), std::make_pair(16u, 64u));
   EXPECT_EQ(std::make_pair(cut.first, cut.last), std::make_pair(16u, 20u));
 }
 
 TEST(RenderOptions, TimeAndTargetErrorLiftTheQualitysLimitOfPasses) {
-  EXPECT_EQ(parse("a --time 3").passes_to_run().last, most_passes);
+  EXPECT_EQ(parse("a --time 3").passes_to_run(1).last, most_passes);
   EXPECT_EQ(parse("a --time 3").time, 3);
-  EXPECT_EQ(parse("a --target-error 0.01").passes_to_run().last, most_passes);
+  EXPECT_EQ(parse("a --target-error 0.01").passes_to_run(1).last, most_passes);
   EXPECT_EQ(parse("a --target-error 0.01").target_error, 0.01);
-  EXPECT_EQ(parse("a --time 3 --passes 5").passes_to_run().last, 5u);
-  EXPECT_EQ(parse("a --time 3 --pass-range 2:5").passes_to_run().last, 5u);
+  EXPECT_EQ(parse("a --time 3 --passes 5").passes_to_run(1).last, 5u);
+  EXPECT_EQ(parse("a --time 3 --pass-range 2:5").passes_to_run(1).last, 5u);
 }
 
 class Refused : public ::testing::TestWithParam<std::string> {};

@@ -7,6 +7,12 @@
 #include "gtest/gtest.h"
 #include "tests/unit/program.h"
 
+#ifdef __has_feature  // clang
+#define SANITIZED __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#else
+#define SANITIZED __SANITIZE_ADDRESS__ || __SANITIZE_THREAD__
+#endif
+
 namespace meniscal::test {
 
 // `command` of the program, then the file's name (twice for `compare`): exit code 3 and one line that names the file
@@ -17,7 +23,7 @@ inline void expect_refused(const TemporaryFolder& folder, const std::string& nam
   write_bytes(path, bytes);
   const std::string quoted = " \"" + path + "\"";
   const auto start = std::chrono::steady_clock::now();
-#ifdef __SANITIZE_ADDRESS__  // which reserves terabytes of addresses
+#if SANITIZED  // which reserves terabytes of addresses
   const std::string limits = "timeout 60 ";
 #else
   const std::string limits = "ulimit -v 1048576; timeout 10 ";

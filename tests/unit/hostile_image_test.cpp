@@ -31,15 +31,16 @@ std::string big_endian(std::uint32_t value, int bytes) {
   return result;
 }
 
+void append_to(void* string, void* bytes, int size) {
+  static_cast<std::string*>(string)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
+}
+
 std::string noisy_jpeg() {
   std::vector<unsigned char> noise(64 * 64 * 3);
   unsigned state = 1;
   for (unsigned char& v : noise) v = static_cast<unsigned char>((state = state * 1664525u + 1013904223u) >> 24);
   std::string jpeg;
-  const auto append = [](void* to, void* bytes, int size) {
-    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
-  };
-  stbi_write_jpg_to_func(append, &jpeg, 64, 64, 3, noise.data(), 90);
+  stbi_write_jpg_to_func(append_to, &jpeg, 64, 64, 3, noise.data(), 90);
   return jpeg;
 }
 
@@ -102,6 +103,15 @@ TEST_F(HostileImage, TexturesOfBillionsOfTexels) {
     jpeg.replace(jpeg.find("\xff\xc0") + 5, 4, big_endian(side, 2) + big_endian(side, 2));
     expect_refused(folder, "jpeg.gltf", scene_with(jpeg, "jpeg"), {"image 0", why});
   }
+}
+
+// Nothing is wrong with it but what it becomes.
+TEST_F(HostileImage, TextureOfOneColourAndMillionsOfTexels) {
+  const int side = 17000;
+  std::string png;
+  stbi_write_png_to_func(append_to, &png, side, side, 1, std::vector<unsigned char>(side * side, 128).data(), side);
+  EXPECT_LT(png.size(), side * side / 96u);
+  expect_refused(folder, "one_colour.gltf", scene_with(png, "png"), {"image 0", "289000000 texels"});
 }
 
 TEST_F(HostileImage, PngOfChunksBeyondTheFile) {

@@ -136,6 +136,26 @@ TEST_F(HostileScene, NumbersThatAreNone) {
   refused(with("/nodes/0/scale", {1e300, 1e300, 1e300}), {});
 }
 
+// What single precision cannot hold, or squares of it.
+TEST_F(HostileScene, NumbersThatAreTooGreat) {
+  refused(with("/nodes/0/scale", {1e13, 1e13, 1e13}), {"m across", "1e+12"});
+  refused(with("/nodes/0/scale", {1e-14, 1e-14, 1e-14}), {"m across", "1e-12"});
+  const auto lit = [](const Json& light) {
+    Document document = testing::triangle();
+    document.json["extensionsUsed"] = Json::array({"KHR_lights_punctual"});
+    document.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
+    document.json["nodes"].push_back(
+        {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"translation", {0, 1e13, 0}}});
+    document.json["scenes"][0]["nodes"].push_back(document.json["nodes"].size() - 1);
+    return document;
+  };
+  refused(lit({{"type", "directional"}, {"intensity", 1e39}}), {"intensity", "1e+24"});
+  refused(lit({{"type", "directional"}, {"color", {1e7, 0, 0}}}), {"color", "1000000"});
+  refused(lit({{"type", "point"}}), {"light 0", "m from the scene", "1e+12"});
+  refused(with("/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength", 1e39),
+          {"emissiveStrength", "1e+24"});
+}
+
 TEST_F(HostileScene, IndicesOutOfRange) {
   for (const std::uint32_t index : {3u, 0x7fffffffu, 0xffffffffu}) {
     Document document = testing::triangle();

@@ -54,10 +54,10 @@ TEST(LightWidth, AsksForMoreHighlightSamplesWhereItIsNarrow) {
   RenderOptions options;
   for (const Quality quality : {Quality::draft, Quality::preview, Quality::final}) {
     options.quality = quality;
-    EXPECT_EQ(highlight_samples_of(options, lit_by_a_lamp(0.001)), preset(quality).highlight_samples);
+    EXPECT_EQ(highlight_samples_of(options, lit_by_a_lamp(0.001)), preset(quality).spark_samples);
     EXPECT_EQ(highlight_samples_of(options, lit_by_a_lamp(0.2)), 16u);
   }
-  EXPECT_GT(preset(Quality::final).highlight_samples, 16u);
+  EXPECT_GT(preset(Quality::final).spark_samples, 16u);
   options.highlight_samples = 9;
   EXPECT_EQ(highlight_samples_of(options, lit_by_a_lamp(0.001)), 9u);
 }

@@ -1,0 +1,22 @@
+// Meshes as the triangles that are rendered.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/world/world.h"
+
+namespace meniscal {
+
+// Adds the mesh's triangles that have an area. What is not of their shape is that of `usual`; its `coordinates` are of
+// the mesh's first. `meniscus`: which of them belong to a meniscus that matters.
+void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh& mesh, const WorldTriangle& usual,
+            const std::vector<std::uint8_t>* meniscus = nullptr);
+
+// Radius of a sphere round the local origin that holds all of them, metres.
+double radius_of(const std::vector<WorldTriangle>& triangles);
+
+// Whether the line through the point along the triangle's normal meets it; where corners are in a line, it does not.
+bool is_over(const WorldTriangle& triangle, const glm::dvec3& point);
+
+}  // namespace meniscal
