@@ -153,9 +153,13 @@ Photon trace_photon(const Tracer& tracer, const RenderSettings& settings, std::u
     return double(shared::random_unit(key, dimension)) + perturbation.roulette;
   };
 
-  auto [path, hit, map, end] = start_photon(tracer, *beam, key, perturbation.start);
+  Start start = start_photon(tracer, *beam, key, perturbation.start);
+  Path& path = start.path;
+  Hit& hit = start.hit;
+  const std::uint32_t map = start.map;
   Photon photon{
-      global ? shared::MAP_GLOBAL : map, hit.point, {}, glm::dvec3(0), path.throughput, path.throughput, 1, end};
+      global ? shared::MAP_GLOBAL : map, hit.point, {}, glm::dvec3(0), path.throughput, path.throughput, 1, start.end};
+
   std::uint32_t dimension = shared::DIM_FIRST_BOUNCE;
   std::uint32_t met = 0, scattered = 0;  // specular surfaces since the start or the last diffuse one; diffuse ones
   const auto absorb_in = [&](const auto& event) {

@@ -112,7 +112,9 @@ TEST_P(Cells, ListTheirPhotonsInOrder) {
   }
   EXPECT_EQ(twice > 0, per_level < 1000) << twice << " of " << expected.size() << " entries are repeated";
   for (std::uint32_t key = 0; key < levels * per_level; ++key) {
-    const auto [first, last] = std::ranges::equal_range(expected, key, {}, [](const auto& e) { return e.first; });
+    const auto key_of = [](const auto& e) { return e.first; };
+    const auto first = std::ranges::lower_bound(expected, key, {}, key_of),
+               last = std::ranges::upper_bound(expected, key, {}, key_of);
     const glm::uvec2 wanted(first - expected.begin(), last - expected.begin());
     if (first == last)
       ASSERT_EQ(found.cells[key].x, found.cells[key].y) << "cell " << key;
