@@ -81,14 +81,15 @@ TEST(Exr, SameImageGivesSameBytes) {
 // OpenEXR's own simple interface sees the same picture at the same place, top row first.
 TEST(Exr, IsUnderstoodByOthers) {
   const TemporaryFolder folder;
-  write_exr(folder / "a.exr", sample());
+  const Image image = sample();
+  write_exr(folder / "a.exr", image);
   Imf::RgbaInputFile file((folder / "a.exr").c_str());
   EXPECT_EQ(file.dataWindow(), Imath::Box2i({4, 5}, {6, 6}));
   EXPECT_EQ(file.displayWindow(), Imath::Box2i({0, 0}, {19, 9}));
   Imf::Array2D<Imf::Rgba> pixels(2, 3);
   file.setFrameBuffer(&pixels[0][0] - 4 - 5 * 3, 1, 3);
   file.readPixels(5, 6);
-  const std::vector<float>& beauty = sample().layers[0].pixels;
+  const std::vector<float>& beauty = image.layers[0].pixels;
   EXPECT_EQ(static_cast<float>(pixels[0][2].g), static_cast<float>(Imath::half(beauty[7])));
   EXPECT_EQ(static_cast<float>(pixels[1][0].b), static_cast<float>(Imath::half(beauty[11])));
 }
