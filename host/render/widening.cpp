@@ -25,7 +25,7 @@ std::vector<glm::dvec3> caustics_of(const Samples& samples) {
 double find_widening(Backend& backend, const World& world, const RenderSettings& settings,
                      const std::vector<StartSet>& starts, std::uint32_t photons) {
   constexpr double widest = 2.8, steps = 4, wider = 2;
-  constexpr std::uint32_t least = 4096, most = 65536;
+  constexpr std::uint32_t least = 4096, most = 16384;
   const std::uint32_t few = std::min(std::clamp(photons / 8, least, most), photons);
   const double part = double(few) / photons;
   RenderSettings look = coarse_view(settings);
