@@ -246,7 +246,7 @@ void finish(RenderOptions& options) {
 
 PassRange RenderOptions::passes_to_run(std::size_t pixels) const {
   if (pass_range) return {pass_range->first, std::min(pass_range->last, passes.value_or(pass_range->last))};
-  return {0, passes.value_or(time || target_error ? most_passes : preset(quality).budget(pixels, false).passes)};
+  return {0, passes.value_or(time || target_error ? most_passes : preset(quality).counts(pixels, false).passes)};
 }
 
 void add_view_options(CLI::App& command, RenderOptions& options, int default_width) {

@@ -21,7 +21,7 @@ struct Resolution {
 // Named points on the trade of speed for accuracy, from sweeps of `meniscal tradeoff` over scenes/: none of its knobs,
 // turned from there, buys a much smaller error for the same CPU seconds on all of them.
 enum class Quality { draft, preview, final };
-struct Budget {
+struct PassCounts {
   std::uint32_t passes, photons, samples;  // the latter two of each pass
 };
 struct Preset {
@@ -34,7 +34,7 @@ struct Preset {
 
   // Samples are cheap while a pass' photons are on the device at once: a picture so large that they would not be has
   // more passes, of as many fewer samples.
-  Budget budget(std::size_t pixels, bool gathers) const {
+  PassCounts counts(std::size_t pixels, bool gathers) const {
     const double wanted = photons_per_pixel * double(pixels);
     const auto parts = static_cast<std::uint32_t>(std::max(std::ceil(wanted / kPhotonsAtOnce), 1.0));
     return {passes * parts, std::max(static_cast<std::uint32_t>(wanted / parts), least_photons),
@@ -46,11 +46,11 @@ constexpr Preset preset(Quality quality) {
     case Quality::draft:
       return {0.64, 40000, 1, 1, 1, 16, false, true};
     case Quality::preview:
-      return {1.6, 100000, 2, 2, 2, 36, false, true};
+      return {1.6, 80000, 2, 2, 2, 36, false, true};
     case Quality::final:
       break;
   }
-  return {3.2, 250000, 2, 4, 16, 64, true, false};
+  return {3.2, 300000, 2, 4, 16, 64, true, false};
 }
 
 struct RenderOptions {

@@ -112,10 +112,10 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   settings.footprint = pixel_footprint(world, settings);
   const Preset usual = preset(options.quality);
   const bool gathers = settings.diffuse_bounces > 0 && options.final_gathering.value_or(usual.final_gathering);
-  const Budget budget = usual.budget(settings.crop.pixels(), gathers && options.integrator != Integrator::path);
-  settings.photons = options.photons.value_or(budget.photons);
+  const PassCounts counts = usual.counts(settings.crop.pixels(), gathers && options.integrator != Integrator::path);
+  settings.photons = options.photons.value_or(counts.photons);
   // Photons that do not fit at once would be traced anew for each sample: passes are cheaper then.
-  settings.samples = options.samples.value_or(settings.photons > settings.photons_at_once ? 1 : budget.samples);
+  settings.samples = options.samples.value_or(settings.photons > settings.photons_at_once ? 1 : counts.samples);
   if (options.integrator == Integrator::path) return settings;
   const std::uint32_t rays = highlight_samples_of(options, scene);
   if (rays > 0) {

@@ -87,7 +87,8 @@ std::optional<Rendered> render(const RenderOptions& options, const Scene& scene,
   return result;
 }
 
-// Converged in what the knobs turn at: other random numbers, finer menisci, more bounces.
+// Converged in what the knobs turn at: other random numbers, finer menisci, more bounces, highlights in finer cells,
+// which passes alone do not make up for.
 std::vector<std::string> reference_arguments(std::uint32_t passes) {
   return {"--quality",
           "final",
@@ -95,6 +96,8 @@ std::vector<std::string> reference_arguments(std::uint32_t passes) {
           std::to_string(passes),
           "--seed",
           "1",
+          "--highlight-samples",
+          "256",
           "--diffuse-bounces",
           "16",
           "--specular-bounces",
@@ -114,8 +117,8 @@ std::vector<SweptPreset> swept_presets(const Scene& scene, std::size_t pixels) {
     const Preset p = preset(quality);
     RenderOptions usual;
     usual.quality = quality;
-    const Budget budget = p.budget(pixels, p.final_gathering);
-    presets.push_back({name, budget.photons, budget.passes, budget.samples, highlight_samples_of(usual, scene),
+    const PassCounts counts = p.counts(pixels, p.final_gathering);
+    presets.push_back({name, counts.photons, counts.passes, counts.samples, highlight_samples_of(usual, scene),
                        usual.diffuse_bounces, p.final_gathering});
   }
   return presets;

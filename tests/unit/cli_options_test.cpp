@@ -36,17 +36,17 @@ TEST(Presets, BuyAPixelOfALargePictureNoLess) {
     const Preset p = preset(quality);
     for (const bool gathers : {false, true})
       for (const std::size_t pixels : {1ul, 1000ul, 640ul * 480, 1920ul * 1080, 3840ul * 2160, 16384ul * 16384}) {
-        const Budget b = p.budget(pixels, gathers);
+        const PassCounts b = p.counts(pixels, gathers);
         EXPECT_LE(b.photons, kPhotonsAtOnce);
         EXPECT_GE(b.samples, 1u);
         EXPECT_GE(b.samples * b.passes, (gathers ? p.gathering_samples : p.plain_samples) * p.passes);
         EXPECT_GE(double(b.photons + 1) * b.passes, 0.999 * p.photons_per_pixel * double(pixels) * p.passes);
       }
-    const Budget usual = p.budget(640 * 480, true);
+    const PassCounts usual = p.counts(640 * 480, true);
     EXPECT_EQ(usual.passes, p.passes);
     EXPECT_EQ(usual.samples, p.gathering_samples);
   }
-  EXPECT_EQ(preset(Quality::final).budget(1920 * 1080, true).passes, 14u);
+  EXPECT_EQ(preset(Quality::final).counts(1920 * 1080, true).passes, 14u);
 }
 
 TEST(RenderOptions, EachOptionIsTaken) {
