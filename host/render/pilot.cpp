@@ -10,7 +10,9 @@
 namespace meniscal {
 namespace {
 
-constexpr std::uint32_t most_rays = 4096, photons_a_round = 4096, rounds = 2, photons_for_noise = 2048;
+constexpr std::uint32_t most_rays = 4096, photons_a_round = 4096, photons_for_noise = 2048;
+constexpr std::size_t enough = 16;                // photons seen, to know where more will be
+constexpr double zoom = 8;                        // of what is looked at, from a round to the next: 1 / 64 of its area
 constexpr std::uint32_t pilot_pass = 0x80000000;  // first of the passes whose random numbers the pilot takes
 // What is thought to be unseen still gets a share: rare paths are noisy then, but not lost.
 constexpr double unseen_share = 0.03;
@@ -48,21 +50,29 @@ struct Seen {
     high = glm::max(high, place);
     flux += photon_flux;
   }
-  // Widened by what may lie between the starts.
+  void widen(const Seen& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  // With what may lie between the starts.
   StartWindow window(const glm::dvec2& margin) const {
     return {glm::max(low - margin, 0.0), glm::min(high + margin, 1.0)};
   }
 };
 struct SeenSet {
   Seen all, targeted;
+  bool missed = false;  // by the last look, which says no more than that less is there
 };
 
-// Adds the photons of a round to what is known of the sets that their beams belong to.
-void look(Backend& backend, RenderSettings& settings, const std::vector<std::size_t>& set_of_beam, std::uint32_t round,
-          const SeenCells& cells, std::vector<SeenSet>& seen) {
+enum class Look { narrower, again };  // than the one before, or at the same
+
+// What a round's photons tell of the sets that their beams belong to. How many were seen.
+std::size_t look(Backend& backend, RenderSettings& settings, const std::vector<std::size_t>& set_of_beam,
+                 std::uint32_t round, const SeenCells& cells, Look how, std::vector<SeenSet>& seen) {
   backend.configure(settings);
   const std::vector<PhotonEnd> ends = backend.trace_photons(pilot_pass + round);
-  for (SeenSet& s : seen) s.all.flux = s.targeted.flux = 0;  // the finer look counts
+  std::vector<SeenSet> found(seen.size());
+  std::size_t count = 0;
   for (std::uint32_t b = 0; b < settings.caustics.beams.size(); ++b) {
     const shared::Beam& beam = settings.caustics.beams[b];
     for (std::uint32_t i = 0; i < beam.count; ++i) {
@@ -70,11 +80,22 @@ void look(Backend& backend, RenderSettings& settings, const std::vector<std::siz
       if (photon.end >= shared::END_FIRST || !cells.contains(photon.position)) continue;
       const shared::RandomKey key{settings.seed, pilot_pass + round, shared::STREAM_BEAM + b, start_index(beam, i)};
       const glm::dvec2 place = glm::dvec2(shared::start_bits(key, beam.start, beam.extent)) * 0x1p-32;
-      SeenSet& s = seen[set_of_beam[b]];
+      SeenSet& s = found[set_of_beam[b]];
       s.all.add(place, mean_of(photon.flux));
       if (photon.map == shared::MAP_TARGETED) s.targeted.add(place, mean_of(photon.flux));
+      ++count;
     }
   }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    seen[i].missed = !found[i].all.any();
+    if (seen[i].missed) {
+      seen[i].all.flux /= zoom * zoom;  // as much as if it lay evenly where it was seen
+      continue;
+    }
+    if (how == Look::again) found[i].all.widen(seen[i].all), found[i].targeted.widen(seen[i].targeted);
+    seen[i] = found[i];
+  }
+  return count;
 }
 
 std::vector<std::size_t> sets_of_beams(const std::vector<StartSet>& sets) {
@@ -93,11 +114,13 @@ glm::dvec2 spacing(const StartWindow& window) {
 std::vector<StartWindow> windows_round(const SeenSet& seen, const StartSet& looked, bool menisci) {
   std::vector<StartWindow> windows = {StartWindow{.seen = false}};
   if (!seen.all.any()) return windows;
-  const glm::dvec2 margin = 1.5 * spacing(looked.windows.back());
-  windows.push_back(seen.all.window(margin));
+  constexpr double least = 1.0 / 65536;  // of starts: the unit of beams
+  const glm::dvec2 margin = glm::max(1.5 * spacing(looked.windows.back()), least);
+  windows.push_back(seen.missed ? looked.windows.back() : seen.all.window(margin));
   windows[1].share = std::sqrt(seen.all.flux);
   const StartWindow finer = seen.targeted.window(margin);
-  if (!menisci || !looked.light || !seen.targeted.any() || finer.part() > 0.5 * windows[1].part()) return windows;
+  if (!menisci || seen.missed || !looked.light || !seen.targeted.any() || finer.part() > 0.5 * windows[1].part())
+    return windows;
   windows.push_back(finer);
   windows[1].share = std::sqrt(std::max(seen.all.flux - seen.targeted.flux, 0.0));
   windows[2].share = std::sqrt(seen.targeted.flux);
@@ -164,26 +187,51 @@ void look_at_maps(Backend& backend, const World& world, RenderSettings settings,
 Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& settings) {
   RenderSettings pilot = coarse_view(settings);
   backend.configure(pilot);
-  const std::vector<shared::PixelSample> samples = backend.trace_camera(pilot_pass, View{});
+  std::uint32_t width = pilot.crop.width();
+  std::vector<shared::PixelSample> samples = backend.trace_camera(pilot_pass, View{});
+  if (samples.size() == 1) {  // no pixel beside it tells how wide it is: other rays of its own do
+    width = 4;
+    for (std::uint32_t i = 1; i < width * width; ++i)
+      samples.push_back(backend.trace_camera(pilot_pass + i, View{}).front());
+  }
   const auto part = [&](float surfaces) {
     return double(std::count_if(samples.begin(), samples.end(), [=](const auto& s) { return s.split >= surfaces; })) /
            double(samples.size());
   };
   constexpr double worth_a_path = 0.01;  // of the picture
   const std::uint32_t split = part(2) > worth_a_path ? 2 : part(1) > 0 ? 1 : 0;
-  const SeenCells cells(samples, pilot.crop.width());
+  const SeenCells cells(samples, width);
 
   std::vector<StartSet> sets = default_starts(world);
   if (cells.empty()) return {sets, split, {}};
   for (StartSet& s : sets) s.windows = {StartWindow{.share = 1.0 / double(sets.size())}};
   std::vector<SeenSet> seen(sets.size());
-  for (std::uint32_t round = 0; round < rounds; ++round) {
+  std::uint32_t round = 0;
+  const auto look_at = [&](const SeenCells& what, Look how) {
     pilot.caustics.beams = make_beams(world, sets, photons_a_round);
-    look(backend, pilot, sets_of_beams(sets), round, cells, seen);
-    for (std::size_t i = 0; i < sets.size(); ++i)
-      sets[i].windows = windows_round(seen[i], sets[i], round + 1 == rounds);
+    return look(backend, pilot, sets_of_beams(sets), round++, what, how, seen);
+  };
+  const auto narrow = [&](bool menisci) {
+    for (std::size_t i = 0; i < sets.size(); ++i) sets[i].windows = windows_round(seen[i], sets[i], menisci);
     share_out(sets);
+  };
+  // Where so little is seen that hardly a photon lands there, first what lies round it: as wide as some land in, then
+  // narrower by steps.
+  double around = 0;
+  const auto look_around = [&] {
+    return look_at(around > 0 ? SeenCells(samples, width, around) : cells, Look::narrower);
+  };
+  std::size_t landed;
+  while ((landed = look_around()) < enough && around < world.radius) around = zoom * std::max(around, cells.widest());
+  if (landed == 0) around = 0;
+  while (around > 0) {
+    narrow(false);
+    around = around > zoom * cells.widest() ? around / zoom : 0;
+    look_around();
   }
+  narrow(false);
+  look_at(cells, Look::again);
+  narrow(true);
   Pilot result{sets, split, {}};
   if (pilot.global.count() > 0 && !sets.empty()) look_at_maps(backend, world, pilot, result);
   return result;

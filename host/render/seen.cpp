@@ -9,6 +9,8 @@
 namespace meniscal {
 namespace {
 
+constexpr double size_by_distance = 1.5;
+
 bool visible(const shared::PixelSample& s) { return s.triangle < shared::END_FIRST; }
 
 // 20 bits an axis.
@@ -19,7 +21,7 @@ std::uint64_t key(const glm::i64vec3& cell) {
 
 }  // namespace
 
-SeenCells::SeenCells(std::span<const shared::PixelSample> samples, std::uint32_t width) {
+SeenCells::SeenCells(std::span<const shared::PixelSample> samples, std::uint32_t width, double least) {
   // Distance to the nearest of the pixels beside, as a power of 2.
   const auto octave = [&](std::size_t i) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -31,8 +33,8 @@ SeenCells::SeenCells(std::span<const shared::PixelSample> samples, std::uint32_t
     if (i % width + 1 < width) beside(i + 1);
     beside(i - width);
     beside(i + width);
-    return nearest > 0 && std::isfinite(nearest) ? std::optional<int>(int(std::ceil(std::log2(nearest))))
-                                                 : std::nullopt;
+    if (!(nearest > 0) || !std::isfinite(nearest)) return std::optional<int>();
+    return std::optional(int(std::ceil(std::log2(std::max(nearest, least / size_by_distance)))));
   };
   std::map<int, Level> by_octave;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -40,7 +42,7 @@ SeenCells::SeenCells(std::span<const shared::PixelSample> samples, std::uint32_t
     const auto o = octave(i);
     if (!o) continue;
     Level& level = by_octave[*o];
-    level.size = 1.5 * std::exp2(*o);
+    level.size = size_by_distance * std::exp2(*o);
     level.cells.insert(key(glm::i64vec3(glm::floor(glm::dvec3(samples[i].position) / level.size))));
   }
   for (auto& [o, level] : by_octave) levels_.push_back(std::move(level));

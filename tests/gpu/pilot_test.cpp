@@ -5,11 +5,26 @@
 namespace meniscal {
 namespace {
 
-// A camera that sees but a part of the floor.
-std::unique_ptr<test::Setup> narrow_view(const RenderOptions& options) {
-  return test::make_setup("post", options, [](Scene& scene) {
-    for (Camera& c : scene.cameras) c.xmag = c.ymag = 4e-3;
+// A square part of the floor.
+struct Part {
+  double x, half;  // middle and half its width, m
+};
+constexpr Part round_post{0, 4e-3}, tiny{8e-3, 2e-5};
+
+std::unique_ptr<test::Setup> view_of(const Part& part, const RenderOptions& options) {
+  return test::make_setup("post", options, [&](Scene& scene) {
+    for (Camera& c : scene.cameras) c.pose[3].x = part.x, c.xmag = c.ymag = part.half;
   });
+}
+
+// Of the photons, those that end there.
+double share_in(const Part& part, Backend& backend) {
+  const std::vector<PhotonEnd> ends = backend.trace_photons(0);
+  const auto seen = std::count_if(ends.begin(), ends.end(), [&](const PhotonEnd& e) {
+    return e.end < shared::END_FIRST && std::abs(e.position.x - part.x) < part.half &&
+           std::abs(e.position.z) < part.half;
+  });
+  return double(seen) / double(ends.size());
 }
 
 RenderOptions options_of(Integrator integrator = Integrator::targeted) {
@@ -33,19 +48,12 @@ double irradiance(const test::PassResult& result) {
 TEST(Pilot, SendsPhotonsWhereTheyAreSeen) {
   REQUIRE_DEVICE();
   const RenderOptions options = options_of();
-  const auto setup = narrow_view(options);
+  const auto setup = view_of(round_post, options);
   GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
-  const auto seen_part = [&] {
-    const std::vector<PhotonEnd> ends = gpu.trace_photons(0);
-    const auto seen = std::count_if(ends.begin(), ends.end(), [](const PhotonEnd& e) {
-      return e.end < shared::END_FIRST && std::abs(e.position.x) < 4e-3 && std::abs(e.position.z) < 4e-3;
-    });
-    return double(seen) / double(ends.size());
-  };
-  const double before = seen_part();
+  const double before = share_in(round_post, gpu);
   const test::PassResult wide = test::render_pass(gpu, 0);
   focus(setup->settings, options, setup->world, gpu);
-  const double after = seen_part();
+  const double after = share_in(round_post, gpu);
   std::printf("seen: %.3f of the photons before, %.3f after\n", before, after);
   EXPECT_GT(after, 0.35);
   EXPECT_GT(after, 2 * before);
@@ -56,6 +64,23 @@ TEST(Pilot, SendsPhotonsWhereTheyAreSeen) {
   for (std::size_t map = 0; map < shared::MAPS; ++map) {
     const double flux = wide.tallies[map].flux_in;
     EXPECT_NEAR(narrow.tallies[map].flux_in, flux, 0.02 * flux) << "what is not seen is not lost, either";
+  }
+}
+
+// So little is seen that none of the photons it looks with land there at first; by one pixel, too.
+TEST(Pilot, ZoomsInOnWhatIsTiny) {
+  REQUIRE_DEVICE();
+  for (const int pixels : {48, 1}) {
+    RenderOptions options = options_of();
+    options.resolution = Resolution{pixels, pixels};
+    const auto setup = view_of(tiny, options);
+    GpuBackend gpu(gpu::Device::open("auto"), setup->world, setup->settings);
+    const double before = share_in(tiny, gpu);
+    focus(setup->settings, options, setup->world, gpu);
+    const double after = share_in(tiny, gpu);
+    std::printf("seen: %.3g of the photons before, %.3g after\n", before, after);
+    EXPECT_LT(before, 1e-4);
+    EXPECT_GT(after, 0.2);
   }
 }
 
@@ -80,11 +105,7 @@ TEST(Pilot, GivesPhotonsToTheMapThatIsNoisy) {
   const auto budgets = [&](const char* scene, Quality quality, bool on_gpu) {
     options.quality = quality;
     const auto setup = test::make_setup(scene, options);
-    std::unique_ptr<Backend> backend;
-    if (on_gpu)
-      backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup->world, setup->settings);
-    else
-      backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
+    const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, setup->world, setup->settings);
     focus(setup->settings, options, setup->world, *backend);
     return std::array<double, 2>{double(setup->settings.caustics.count()), double(setup->settings.global.count())};
   };
