@@ -13,6 +13,11 @@ namespace meniscal {
 void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh& mesh, const WorldTriangle& usual,
             const std::vector<std::uint8_t>* meniscus = nullptr);
 
+// Drops those that lie on an earlier one of the same material, corner on corner, and face alike; returns how many. A
+// ray meets one of them, but would have to look at all. Faces of glass and liquids stay: light goes
+// through each.
+std::size_t drop_coincident(std::vector<WorldTriangle>& triangles, const std::vector<shared::Surface>& surfaces);
+
 // Radius of a sphere round the local origin that holds all of them, metres.
 double radius_of(const std::vector<WorldTriangle>& triangles);
 

@@ -172,6 +172,11 @@ World build_world(const Scene& scene, MeniscusModel model, const MeniscusToleran
   if (world.triangles.empty())
     throw Error(ExitCode::scene, scene.file + ": no triangle with an area; nothing to render");
 
+  if (const std::size_t dropped = drop_coincident(world.triangles, world.surfaces); dropped > 0)
+    world.warnings.push_back(
+        fmt::format("{}: {} left out, which lie on others of the same material; merge vertices by "
+                    "distance, or remove the double of an object",
+                    scene.file, dropped == 1 ? "a face is" : fmt::format("{} faces are", dropped)));
   world.radius = radius_of(world.triangles);
   build_hierarchy(world);
   build_lights(world, scene);
