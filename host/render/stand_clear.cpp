@@ -1,6 +1,7 @@
 #include "host/render/stand_clear.h"
 
 #include <cmath>
+#include <optional>
 
 #include "host/world/triangles.h"
 
@@ -8,11 +9,11 @@ namespace meniscal {
 
 namespace {
 
-// Off the nearest of the surfaces that `point` lies on, if any.
-glm::dvec3 step_off(const World& world, const glm::dvec3& point) {
+// Off the nearest of the surfaces that `point` lies on; nothing, if it lies on none.
+std::optional<glm::dvec3> step_off(const World& world, const glm::dvec3& point) {
   const double room = 2e-6 * world.radius;
   double least = 0.5 * room;
-  glm::dvec3 clear = point;
+  std::optional<glm::dvec3> clear;
   for (const WorldTriangle& t : world.triangles) {
     const double height = glm::dot(point - t.corner[0], t.geometric);
     if (std::abs(height) >= least || !is_over(t, point)) continue;
@@ -27,7 +28,11 @@ glm::dvec3 step_off(const World& world, const glm::dvec3& point) {
 glm::dvec3 stand_clear(const World& world, const glm::dvec3& point) {
   constexpr int most = 3;  // surfaces that meet in a corner
   glm::dvec3 clear = point;
-  for (int i = 0; i < most; ++i) clear = step_off(world, clear);
+  for (int i = 0; i < most; ++i) {
+    const auto next = step_off(world, clear);
+    if (!next) break;
+    clear = *next;
+  }
   return clear;
 }
 

@@ -46,13 +46,6 @@ bool emits(const Scene& scene) {
   return !scene.lights.empty() || scene.environment;
 }
 
-void require_near(const std::string& object, const glm::dvec3& position, const Messages& messages) {
-  const double distance = glm::length(position);
-  if (!(distance <= greatest_extent))
-    messages.fail(object, fmt::format("is {:.3g} m from the scene", distance),
-                  fmt::format("bring it within {:.0e} m", greatest_extent));
-}
-
 Scene assemble(const Source& source, Messages& messages) {
   const tinygltf::Model& model = source.model;
   Scene scene;
@@ -80,13 +73,13 @@ Scene assemble(const Source& source, Messages& messages) {
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
     Camera& camera = scene.cameras[i];
     camera.pose = relative_to(camera.pose, scene.origin);
-    require_near(label("camera", camera.name, i), glm::dvec3(camera.pose[3]), messages);
+    messages.require_near(label("camera", camera.name, i), glm::dvec3(camera.pose[3]));
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     PunctualLight& light = scene.lights[i];
     light.position -= scene.origin;
     if (light.type != PunctualLight::Type::directional)
-      require_near(label("light", light.name, i), light.position, messages);
+      messages.require_near(label("light", light.name, i), light.position);
   }
   read_scene_extras(model, scene, messages);
   warn_of_misplaced_extras(model, nodes, messages);

@@ -36,6 +36,13 @@ double Messages::in_range(std::string_view object, std::string_view key, double 
   return value;
 }
 
+void Messages::require_near(std::string_view object, const glm::dvec3& position) const {
+  const double distance = glm::length(position);
+  if (!(distance <= greatest_extent))
+    fail(object, fmt::format("is {:.3g} m from the scene", distance),
+         fmt::format("bring it within {:.0e} m", greatest_extent));
+}
+
 void Messages::warn(std::string_view object, std::string_view what) {
   std::string warning = fmt::format("{}: {}: {}", file_, printable(object), printable(what));
   if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())

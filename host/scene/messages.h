@@ -1,6 +1,7 @@
 // What loading a scene has to say: errors that name file, object, reason and remedy, and warnings, each said once.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,9 @@ class Messages {
 
   // Returns `value`, or fails where it is outside `range` or not a number.
   double in_range(std::string_view object, std::string_view key, double value, Range range) const;
+
+  // Fails for a position further from the scene's origin than scenes may be wide, or not finite.
+  void require_near(std::string_view object, const glm::dvec3& position) const;
 
   void warn(std::string_view object, std::string_view what);
   const std::vector<std::string>& warnings() const { return warnings_; }
