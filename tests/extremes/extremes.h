@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/render/statistics.h"
 #include "tests/support/scene_objects.h"
 #include "tests/support/scene_setup.h"
 
@@ -41,7 +42,7 @@ inline Picture scaled(Picture picture, double factor) {
 
 struct Both {
   Picture cpu, gpu;
-  Picture positions;  // of what the CPU saw
+  Picture positions;  // of what the CPU saw, in the world
 };
 
 inline Picture layer_of(const Image& image, const std::string& name) {
@@ -51,13 +52,24 @@ inline Picture layer_of(const Image& image, const std::string& name) {
   return picture;
 }
 
-// One pass by the reference path and by the GPU. Expects numbers that are finite and not negative, and that the two
-// differ by no more than `tolerance` but for one pixel in a hundred, whose paths hang on rounding.
+// All caustics' light that met a target has ended somewhere.
+inline void expect_accounted(const Tallies& tallies, double tolerance = 1e-5) {
+  for (const std::uint32_t map : {shared::MAP_TARGETED, shared::MAP_CAUSTIC}) {
+    const Tally& t = tallies[map];
+    const double landed = std::accumulate(t.flux_landed.begin(), t.flux_landed.end(), 0.0);
+    EXPECT_NEAR(landed + t.flux_escaped + t.flux_cut + t.flux_absorbed, t.flux_in, tolerance * t.flux_in);
+  }
+}
+
+// One pass by the reference path and by the GPU. Expects numbers that are finite and not negative, no limit that was
+// hit, all caustics' flux accounted for, and that the two differ by no more than `tolerance` but for one pixel in a
+// hundred, whose paths hang on rounding.
 inline Both render_both(const test::Setup& setup, double tolerance = 1e-3) {
   Both both;
   const auto render = [&](Backend& backend) {
-    Film film(setup.settings.crop, {"position"}, MapScale{});
-    render_passes(backend, {0, 1}, film, [](const Tallies&) { return true; });
+    Film film(setup.settings.crop, {"position"}, MapScale{}, setup.scene.origin);
+    expect_accounted(render_passes(backend, {0, 1}, film, [](const Tallies&) { return true; }));
+    EXPECT_TRUE(limits_hit(backend.statistics()).empty()) << limits_hit(backend.statistics()).front();
     const Image image = film.image(setup.settings.width, setup.settings.height);
     both.positions = layer_of(image, "position");
     const Picture picture = layer_of(image, "");
@@ -77,6 +89,20 @@ inline Both render_both(const test::Setup& setup, double tolerance = 1e-3) {
   std::printf("%s.%s: GPU off by %.2g\n", test->test_suite_name(), test->name(), difference);
   EXPECT_LT(difference, tolerance);
   return both;
+}
+
+inline Both with_other_seed(const std::string& name, RenderOptions options,
+                            const std::function<void(Scene&)>& edit = {}) {
+  options.seed = 7;
+  return render_both(*test::make_setup(name, options, edit));
+}
+
+// But photons may hit elsewhere, by what a solver rounds: two pictures differ as those of two seeds do.
+inline void expect_same(const Both& a, const Both& b, const Both& other_seed, const std::string& what) {
+  std::printf("%s: %.3g, by another seed %.3g\n", what.c_str(), relative_rms(a.cpu, b.cpu),
+              relative_rms(other_seed.cpu, b.cpu));
+  for (const auto side : {&Both::cpu, &Both::gpu})
+    EXPECT_LT(relative_rms(a.*side, b.*side), 1e-3 + 1.2 * relative_rms(other_seed.*side, b.*side)) << what;
 }
 
 // A scene and all lengths in it, capillary lengths too: its picture stays. Irradiances, radiances and angles do.

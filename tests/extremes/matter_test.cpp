@@ -1,6 +1,8 @@
 // Indices of refraction and contact angles at their limits; geometry that is thin, coincident, or seen from within.
 #include <glm/gtc/constants.hpp>
 
+#include "host/world/menisci.h"
+#include "meniscus/young_laplace.h"
 #include "tests/extremes/extremes.h"
 
 namespace meniscal::extremes {
@@ -86,11 +88,8 @@ TEST(Photons, SlowMayBeABillionInPasses) {
   Film film(setup->settings.crop, {}, MapScale{});
   const Tallies tallies = render_passes(backend, {0, passes}, film, [](const Tallies&) { return true; });
   std::uint64_t started = 0;
-  for (const Tally& t : tallies) {
-    started += t.started;
-    const double landed = std::accumulate(t.flux_landed.begin(), t.flux_landed.end(), 0.0);
-    EXPECT_NEAR(landed + t.flux_escaped + t.flux_cut + t.flux_absorbed, t.flux_in, 1e-6 * t.flux_in);
-  }
+  for (const Tally& t : tallies) started += t.started;
+  expect_accounted(tallies, 1e-6);
   EXPECT_EQ(started, std::uint64_t(photons) * passes);
   EXPECT_EQ(backend.statistics().traversal_limits, 0u);
   const Picture picture = layer_of(film.image(16, 16), "");
@@ -102,54 +101,93 @@ TEST(Photons, SlowMayBeABillionInPasses) {
   EXPECT_LT(worst, 1e-3);
 }
 
-class ContactAngle : public testing::TestWithParam<double> {};
+struct Angle {
+  double degrees, limit;  // which it is as good as
+};
+void PrintTo(const Angle& a, std::ostream* out) { *out << a.degrees; }
+class ContactAngle : public testing::TestWithParam<Angle> {};
 
-TEST_P(ContactAngle, GivesTheSamePictureByBothPaths) {
+TEST_P(ContactAngle, GivesThePictureOfItsLimit) {
   REQUIRE_DEVICE();
+  const auto [degrees, limit] = GetParam();
+  const auto wetted = [](double theta) {
+    return [=](Scene& scene) {
+      for (Material& m : scene.materials) m.contact_angle = theta;
+    };
+  };
   for (const MeniscusModel model : {MeniscusModel::paper, MeniscusModel::exact}) {
     RenderOptions options = test::small_options(40000, 48, 36);
     options.meniscus = model;
-    const auto setup = test::make_setup("post", options, [](Scene& scene) {
-      for (Material& m : scene.materials) m.contact_angle = GetParam();
-    });
-    if (GetParam() == 90) {
-      EXPECT_EQ(setup->world.liquids.at(0).triangles, 0u) << "nothing is built";
+    const auto setup = test::make_setup("post", options, wetted(degrees));
+    const LiquidReport& liquid = setup->world.liquids.at(0);
+    if (degrees == 90) {
+      EXPECT_EQ(liquid.triangles, 0u) << "nothing is built";
+    } else if (model == MeniscusModel::exact) {
+      const double length = capillary_length(*setup->scene.materials[1].liquid, setup->scene.gravity);
+      const double rise = length * meniscus::exact_rise(glm::radians(90 - degrees), length / 2e-3);
+      ASSERT_EQ(liquid.contacts.size(), 1u);
+      EXPECT_NEAR(liquid.contacts[0].rise_max / rise, 1, limit == 90 ? 0.02 : 0.01);
     }
-    render_both(*setup);
+    const Both both = render_both(*setup);
+    if (limit == 90) options.meniscus = MeniscusModel::none;
+    const Both as_limit = render_both(*test::make_setup("post", options, wetted(limit)));
+    expect_same(both, as_limit, with_other_seed("post", options, wetted(limit)), name_of(model));
   }
 }
 INSTANTIATE_TEST_SUITE_P(Degrees, ContactAngle,
-                         testing::Values(0.0, 1e-6, 90 - 1e-6, 90.0, 90 + 1e-6, 180 - 1e-6, 180.0));
+                         testing::Values(Angle{0, 1e-6}, Angle{90 - 1e-6, 90}, Angle{90, 90}, Angle{90 + 1e-6, 90},
+                                         Angle{180, 180 - 1e-6}));
 
 struct Eye {
   const char* name;
   glm::dvec3 from, to;
+  double yfov;
+  double factor;  // of the radiance within the water: 1 / n^2 in the air, of paths that get in; 0 in the solid
 };
 void PrintTo(const Eye& eye, std::ostream* out) { *out << eye.name; }
 class CameraAt : public testing::TestWithParam<Eye> {};
 
-TEST_P(CameraAt, SeesTheSameByBothPaths) {
+// The floor where no meniscus sends light to or takes it from.
+TEST_P(CameraAt, SeesTheFloorAsBrightAsItIs) {
   REQUIRE_DEVICE();
   const Eye& eye = GetParam();
-  const auto setup = test::make_setup("post", test::small_options(20000, 32, 32), [&](Scene& scene) {
+  const auto setup = test::make_setup("post", test::small_options(100000, 32, 32), [&](Scene& scene) {
     Camera& c = scene.cameras[0];
     c.orthographic = false;
-    c.yfov = 1;
+    c.yfov = eye.yfov;
     const glm::dvec3 back = glm::normalize(eye.from - eye.to);
     const glm::dvec3 right =
         glm::normalize(glm::cross(std::abs(back.y) > 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), back));
     c.pose = glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(back, right), 0), glm::dvec4(back, 0),
                         glm::dvec4(eye.from - scene.origin, 1));
   });
-  render_both(*setup, 5e-3);
+  const Both both = render_both(*setup, 5e-3);
+  for (const Picture* picture : {&both.cpu, &both.gpu}) {
+    if (eye.factor == 0) {
+      EXPECT_EQ(mean(*picture), 0);
+      continue;
+    }
+    double sum = 0;
+    int seen = 0;
+    for (std::size_t i = 0; i < picture->size(); ++i) {
+      const glm::dvec3& p = both.positions[i];
+      const double r = std::hypot(p.x, p.z);
+      if (std::abs(p.y + 0.05) > 1e-4 || r < 0.014 || r > 0.024) continue;
+      sum += (*picture)[i].y, ++seen;
+    }
+    ASSERT_GT(seen, 10);
+    const double expected = eye.factor * radiance_under({1.333, 0});
+    EXPECT_NEAR(sum / seen, expected, 0.01 * expected);
+  }
 }
+constexpr double kFromAir = 1 / (1.333 * 1.333);
 // The post is 2 mm thick, its water rises by 0.9 mm; level 0, floor at -50 mm.
 INSTANTIATE_TEST_SUITE_P(Places, CameraAt,
-                         testing::Values(Eye{"on_the_level", {0.02, 0, 0}, {0, -0.05, 0}},
-                                         Eye{"under_the_level", {0.02, -1e-7, 0}, {0, 0.01, 0}},
-                                         Eye{"in_the_meniscus", {0.0023, 2e-4, 0}, {0.01, -0.05, 0}},
-                                         Eye{"in_the_solid", {0, -0.01, 0}, {0.01, -0.02, 0}},
-                                         Eye{"a_kilometre_up", {0, 1000, 0}, {0, 0, 0}}),
+                         testing::Values(Eye{"on_the_level", {0.02, 0, 0}, {0.02, -0.05, 0.001}, 0.4, kFromAir},
+                                         Eye{"under_the_level", {0.02, -1e-7, 0}, {0.02, -0.05, 0.001}, 0.4, 1},
+                                         Eye{"in_the_meniscus", {0.0023, 2e-4, 0}, {0.018, -0.05, 0}, 0.4, 1},
+                                         Eye{"in_the_solid", {0, -0.01, 0}, {0.01, -0.02, 0}, 1, 0},
+                                         Eye{"a_kilometre_up", {0, 1000, 0}, {0, 0, 0}, 5e-5, kFromAir}),
                          [](const auto& tested) { return tested.param.name; });
 
 // A floor lit by a sun, in so many parts: the picture of one.

@@ -1,5 +1,6 @@
 // Extremes by the way that pictures go: menisci as the view needs them, the pilot, interreflection, passes, all layers.
 #include <glm/gtc/constants.hpp>
+#include <numeric>
 
 #include "host/error.h"
 #include "tests/extremes/extremes.h"
@@ -7,28 +8,24 @@
 namespace meniscal::extremes {
 namespace {
 
-RenderOptions whole_options() {
+RenderOptions whole_options(std::uint32_t photons = 20000) {
   RenderOptions options;
   options.quality = Quality::draft;
-  options.photons = 20000;
+  options.photons = photons;
   options.resolution = Resolution{48, 36};
   options.aovs = aov_names();
   return options;
 }
 
-// Of two passes. Expects finite numbers in all layers.
-Image render_whole(const Scene& scene, bool on_gpu) {
-  const RenderOptions options = whole_options();
+// Expects finite numbers in all layers.
+Image render_whole(const Scene& scene, bool on_gpu, const RenderOptions& options = whole_options(),
+                   std::uint32_t passes = 2) {
   const World world = build_world(options, scene);
   RenderSettings settings = choose_settings(options, scene, world);
-  std::unique_ptr<Backend> backend;
-  if (on_gpu)
-    backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), world, settings);
-  else
-    backend = std::make_unique<reference::ReferenceBackend>(world, settings);
+  const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, world, settings);
   focus(settings, options, world, *backend);
   Film film(settings.crop, options.aovs, options.map_scale, scene.origin);
-  render_passes(*backend, {0, 2}, film, [](const Tallies&) { return true; });
+  render_passes(*backend, {0, passes}, film, [](const Tallies&) { return true; });
   const Image image = film.image(settings.width, settings.height);
   for (const Layer& layer : image.layers)
     EXPECT_TRUE(std::all_of(layer.pixels.begin(), layer.pixels.end(), [](float v) { return std::isfinite(v); }))
@@ -43,6 +40,10 @@ Scene scene_of(const std::string& name, double brightness = 1) {
   return scene;
 }
 
+glm::dvec3 middle(const Picture& positions) {
+  return std::accumulate(positions.begin(), positions.end(), glm::dvec3(0)) / double(positions.size());
+}
+
 class Brightness : public testing::TestWithParam<double> {};
 
 TEST_P(Brightness, ScalesThePictureOfAWholeRun) {
@@ -55,6 +56,37 @@ TEST_P(Brightness, ScalesThePictureOfAWholeRun) {
     }
 }
 INSTANTIATE_TEST_SUITE_P(Factors, Brightness, testing::Values(1e-20, 1e20));
+
+// A part of 16,384 pixels squared shows what one pixel of 512 squared shows: that one and those beside it, for less
+// noise.
+TEST(Picture, MayBeAPartOfSixteenThousandSquared) {
+  REQUIRE_DEVICE();
+  constexpr int side = 512, part = 32;
+  const Scene scene = scene_of("post");
+  for (const int pixel : {1, 200, 510}) {
+    // Of a picture `by` times as wide as `side`, what the pixels `first` to `last` across and down show of that.
+    const auto show = [&](int by, int first, int last, std::uint32_t samples, std::uint32_t passes, bool on_gpu) {
+      RenderOptions options = whole_options(50000);
+      options.diffuse_bounces = 0;
+      options.resolution = Resolution{side * by, side * by};
+      options.samples = samples;
+      const auto from = std::uint32_t(by * first), to = std::uint32_t(by * (last + 1));
+      options.crop = Crop{from, from, to, to};
+      return render_whole(scene, on_gpu, options, passes);
+    };
+    const Image coarse = show(1, pixel - 1, pixel + 1, 16, 8, true);
+    const Image cpu = show(part, pixel, pixel, 1, 2, false), gpu = show(part, pixel, pixel, 1, 2, true);
+    const double difference = relative_rms(layer_of(gpu, ""), layer_of(cpu, ""), 0.01);
+    std::printf("pixel %d: GPU off by %.2g\n", pixel, difference);
+    EXPECT_LT(difference, 1e-3);
+    for (const Image& fine : {cpu, gpu}) {
+      std::printf("%.4g, as one %.4g\n", mean(layer_of(fine, "")), mean(layer_of(coarse, "")));
+      EXPECT_NEAR(mean(layer_of(fine, "")) / mean(layer_of(coarse, "")), 1, 0.02);
+      const glm::dvec3 off = middle(layer_of(fine, "position")) - middle(layer_of(coarse, "position"));
+      EXPECT_LT(glm::length(off), 0.1 * 2 * scene.cameras[0].xmag / side) << "a tenth of a coarse pixel's width";
+    }
+  }
+}
 
 // The floor of a dish 10 mm deep and a wall of ten metres, in water that rises at it as said.
 std::unique_ptr<test::Setup> beside_a_wall(MeniscusModel model, double capillary_length, double contact_angle) {

@@ -247,11 +247,7 @@ TEST_P(Seeds, GpuAndReferenceDifferByTheirVariance) {
           for (glm::dvec3& p : o.mesh.positions) p *= glm::dvec3(8.0 / 30, 1, 8.0 / 30);
       scene.cameras[0].xmag = scene.cameras[0].ymag = 7e-3;
     });
-    std::unique_ptr<Backend> backend;
-    if (run == 0)
-      backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup->world, setup->settings);
-    else
-      backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
+    const std::unique_ptr<Backend> backend = test::make_backend(run == 0, setup->world, setup->settings);
     Film film(setup->settings.crop, {"variance"}, {});
     render_passes(*backend, {0, passes}, film, [](const Tallies&) { return true; });
     images[run] = film.image(32, 32);

@@ -9,11 +9,7 @@ namespace meniscal {
 namespace {
 
 double widening(const test::Setup& setup, bool on_gpu) {
-  std::unique_ptr<Backend> backend;
-  if (on_gpu)
-    backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup.world, setup.settings);
-  else
-    backend = std::make_unique<reference::ReferenceBackend>(setup.world, setup.settings);
+  const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, setup.world, setup.settings);
   const Pilot pilot = look_ahead(*backend, setup.world, setup.settings);
   return find_widening(*backend, setup.world, setup.settings, pilot.starts, setup.settings.photons);
 }

@@ -75,11 +75,7 @@ std::pair<double, double> by_hand(const std::vector<Layer>& layers, double angle
 void expect_ray(const test::Setup& setup, double x, double radiance) {
   for (const bool on_gpu : {true, false}) {
     SCOPED_TRACE(on_gpu ? "GPU" : "reference");
-    std::unique_ptr<Backend> backend;
-    if (on_gpu)
-      backend = std::make_unique<GpuBackend>(gpu::Device::open("auto", true), setup.world, setup.settings);
-    else
-      backend = std::make_unique<reference::ReferenceBackend>(setup.world, setup.settings);
+    const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, setup.world, setup.settings);
     const shared::PixelSample s = backend->trace_camera(0, {0, shared::BRANCH_THROUGH_ALL})[4];
     ASSERT_LT(s.triangle, shared::END_FIRST);
     EXPECT_NEAR(s.position.x, x, 2e-7);
@@ -128,11 +124,7 @@ TEST(Nested, FluxThroughWaterAndGlass) {
   const auto passes = [](double n, double m) { return 1 - (n - m) * (n - m) / ((n + m) * (n + m)); };
   const double expected = passes(1, water_ior) * passes(water_ior, glass_ior) * passes(glass_ior, 1);
   for (const bool on_gpu : {true, false}) {
-    std::unique_ptr<Backend> backend;
-    if (on_gpu)
-      backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup->world, setup->settings);
-    else
-      backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
+    const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, setup->world, setup->settings);
     const Tally tally = test::render_pass(*backend, 0).tallies[shared::MAP_CAUSTIC];
     const double part = std::accumulate(tally.flux_landed.begin(), tally.flux_landed.end(), 0.0) / tally.flux_in;
     std::printf("%.5f of the light arrives, %.5f by hand\n", part, expected);

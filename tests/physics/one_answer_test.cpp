@@ -86,11 +86,7 @@ Image render(const Case& c, Integrator integrator) {
   options.radius = c.radius;
   options.seed = integrator == Integrator::targeted ? 1 : 2;
   const auto setup = test::make_setup(c.scene, options, c.edit);
-  std::unique_ptr<Backend> backend;
-  if (path)
-    backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
-  else
-    backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup->world, setup->settings);
+  const std::unique_ptr<Backend> backend = test::make_backend(!path, setup->world, setup->settings);
   focus(setup->settings, options, setup->world, *backend);
   Film film(setup->settings.crop, {"direct", "targeted", "caustic", "global", "variance"}, {});
   render_passes(*backend, {first_pass, first_pass + passes}, film, [](const Tallies&) { return true; });

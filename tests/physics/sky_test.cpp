@@ -30,13 +30,8 @@ void shine_from(Scene& scene, const dvec3& towards, double diameter) {
   test::widen_suns(scene, diameter);
 }
 
-std::unique_ptr<Backend> make_backend(const test::Setup& setup, bool on_gpu) {
-  if (on_gpu) return std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup.world, setup.settings);
-  return std::make_unique<reference::ReferenceBackend>(setup.world, setup.settings);
-}
-
 Image render_image(const test::Setup& setup, bool on_gpu, std::uint32_t passes, const std::vector<std::string>& aovs) {
-  const std::unique_ptr<Backend> backend = make_backend(setup, on_gpu);
+  const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, setup.world, setup.settings);
   Film film(setup.settings.crop, aovs, {});
   render_passes(*backend, {0, passes}, film, [](const Tallies&) { return true; });
   return film.image(setup.settings.width, setup.settings.height);
@@ -47,7 +42,7 @@ struct Means {
   double direct, caustic, radiance, noise;  // noise: of the radiance's mean, absolute
 };
 Means render(const test::Setup& setup, bool on_gpu, std::uint32_t passes) {
-  const std::unique_ptr<Backend> backend = make_backend(setup, on_gpu);
+  const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, setup.world, setup.settings);
   Means means{};
   double squares = 0;
   for (std::uint32_t pass = 0; pass < passes; ++pass) {
@@ -99,7 +94,7 @@ TEST(Sun, EdgesHavePenumbras) {
   });
   for (const bool on_gpu : {true, false}) {
     SCOPED_TRACE(on_gpu ? "GPU" : "reference");
-    const std::unique_ptr<Backend> backend = make_backend(*setup, on_gpu);
+    const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, setup->world, setup->settings);
     std::vector<double> measured(40), expected(40);
     const auto samples = test::render_pass(*backend, 1).samples;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -248,7 +243,7 @@ TEST_P(UnderWater, LightFromBelowComesOutInSnellsCone) {
         for (dvec3& p : o.mesh.positions) p.y += 52 * mm;
     test::light_by(scene, test::make_sky(16, 8, [](int row, int) { return glm::vec3(row < 4 ? 0.0f : 1.0f); }));
   });
-  const std::unique_ptr<Backend> backend = make_backend(*setup, true);
+  const std::unique_ptr<Backend> backend = test::make_backend(true, setup->world, setup->settings);
   double landed = 0;
   for (std::uint32_t pass = 0; pass < 4; ++pass) {
     const Tallies tallies = test::render_pass(*backend, pass).tallies;
@@ -312,7 +307,7 @@ TEST(Environment, IsSeenThroughSnellsWindow) {
   });
   const CameraAxes axes = camera_axes(setup->settings.camera, 64, 64);
   for (const bool on_gpu : {true, false}) {
-    const std::unique_ptr<Backend> backend = make_backend(*setup, on_gpu);
+    const std::unique_ptr<Backend> backend = test::make_backend(on_gpu, setup->world, setup->settings);
     const auto samples = backend->trace_camera(0, {0, shared::BRANCH_THROUGH_ALL});
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double x = (double(i % 64) + 0.5) / 32 - 1, y = 1 - (double(i / 64) + 0.5) / 32;

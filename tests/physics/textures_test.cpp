@@ -264,11 +264,8 @@ TEST(TexturedLamp, EmitsPhotonsAsPathsSee) {
     options.integrator = integrator;
     options.samples = samples;
     const auto setup = test::make_setup(scene, options);
-    std::unique_ptr<Backend> backend;
-    if (integrator == Integrator::path)
-      backend = std::make_unique<reference::ReferenceBackend>(setup->world, setup->settings);
-    else
-      backend = std::make_unique<GpuBackend>(gpu::Device::open("auto"), setup->world, setup->settings);
+    const std::unique_ptr<Backend> backend =
+        test::make_backend(integrator != Integrator::path, setup->world, setup->settings);
     Film film(setup->settings.crop, {}, {});
     render_passes(*backend, {0, 4}, film, [](const Tallies&) { return true; });
     const Image image = film.image(32, 32);

@@ -30,6 +30,11 @@ inline std::unique_ptr<Setup> make_setup(const std::string& name, const RenderOp
   return std::make_unique<Setup>(Setup{std::move(scene), std::move(world), std::move(settings)});
 }
 
+inline std::unique_ptr<Backend> make_backend(bool on_gpu, const World& world, const RenderSettings& settings) {
+  if (on_gpu) return std::make_unique<GpuBackend>(gpu::Device::open("auto"), world, settings);
+  return std::make_unique<reference::ReferenceBackend>(world, settings);
+}
+
 inline RenderOptions small_options(std::uint32_t photons, int width = 64, int height = 64) {
   RenderOptions options;
   options.meniscus = MeniscusModel::paper;
