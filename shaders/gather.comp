@@ -15,6 +15,7 @@ layout(set = 0, binding = 3, std430) buffer Counters { uint counters[]; };
 FETCH_WORDS(4, listed)
 layout(constant_id = 0) const bool GLOBAL = false;  // the photons are the global map's
 layout(constant_id = 1) const bool GLOSSY = false;  // some outer face reflects
+layout(constant_id = 2) const uint KERNEL = KERNEL_BIWEIGHT;
 FETCH_TABLE(5, samples)  // the same as 2: loads from storage buffers are dear on lavapipe
 
 FETCH_WORDS(6, arrivals)
@@ -79,7 +80,7 @@ void main() {
       // Cells that share a key share a range: what is not of this cell does not hold the point.
       if (disc_holds(offset, normal, q2, beta, facing, density) && photon < LISTED_TWICE) {
         vec3 flux = uintBitsToFloat(uvec3(place.w & 0x7FFFFFFFu, along.w, across.w));
-        vec4 found = vec4(flux * (disc_kernel(q2) * density), 1.0);
+        vec4 found = vec4(flux * (disc_kernel(KERNEL, q2) * density), 1.0);
         if (!GLOBAL && (place.w >> 31u) == MAP_TARGETED) targeted += found;
         else other += found;
         if (GLOSSY && reflects) {

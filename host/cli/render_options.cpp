@@ -165,6 +165,11 @@ void add_transport_options(CLI::App& command, RenderOptions& options) {
       .add_option("--radius", options.radius, "Round footprints of that radius in pass 0, instead of each photon's own")
       ->type_name("METRES")
       ->check(positive());
+  std::vector<std::pair<std::string, std::uint32_t>> kernels;
+  for (std::uint32_t k = 0; k < kernel_names.size(); ++k) kernels.emplace_back(kernel_names[k], k);
+  add_choice(command, "--kernel", options.kernel, kernels,
+             "How photons spread over their footprints, of which flatter ones are as much smaller that they blur alike")
+      ->default_str(kernel_names[options.kernel]);
   command
       .add_option("--diffuse-bounces", options.diffuse_bounces, "Diffuse bounces; 0: direct light and caustics only")
       ->type_name("N")

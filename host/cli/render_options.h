@@ -69,6 +69,7 @@ struct RenderOptions {
   std::optional<std::uint32_t> samples;  // camera rays a pixel and pass; not given: the quality's
   std::optional<std::uint32_t> highlight_samples;  // of a pixel that sees menisci; 0: as other camera rays find them
   std::optional<PassRange> pass_range;
+  std::uint32_t kernel = shared::KERNEL_BIWEIGHT;
   std::optional<double> radius;  // of round footprints in pass 0, metres; not given: each photon has its own
   std::uint32_t diffuse_bounces = 8, specular_bounces = 16;
   std::optional<bool> final_gathering;  // not given: the quality's

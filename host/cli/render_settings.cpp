@@ -103,6 +103,7 @@ RenderSettings choose_settings(const RenderOptions& options, const Scene& scene,
   RenderSettings settings;
   settings.seed = options.seed;
   settings.integrator = options.integrator;
+  settings.kernel = options.kernel;
   settings.specular_bounces = options.specular_bounces;
   settings.diffuse_bounces = world.lights.empty() ? 0 : options.diffuse_bounces;
   settings.camera = find_camera(scene, options.camera);

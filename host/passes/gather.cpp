@@ -22,9 +22,10 @@ std::uint32_t invocations(std::uint32_t pixels, std::uint32_t width) {
 }  // namespace
 
 GatherPass::GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
-                       const std::vector<PixelTile>& tiles, bool global, bool glossy, bool texel)
+                       const std::vector<PixelTile>& tiles, std::uint32_t kernel, bool global, bool glossy, bool texel)
     : counters_(device, photons.map + "gather counters", shared::COUNTERS * 4),
-      pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush), {global, glossy}),
+      pass_(device, "gather", shader("gather", texel), layout(texel), sizeof(shared::GatherPush),
+            {global, glossy, kernel}),
       stage_(photons.map + "gather"),
       tiles_(tiles) {
   for (const PixelTile& tile : tiles)

@@ -8,10 +8,10 @@ namespace meniscal::passes {
 
 class GatherPass {
  public:
-  // `tiles` must outlive the pass, which adds to their samples. `global`: the photons are the global map's. `glossy`:
-  // outer faces reflect.
+  // `tiles` must outlive the pass, which adds to their samples. `kernel`: shared::KERNEL_*. `global`: the photons are
+  // the global map's. `glossy`: outer faces reflect.
   GatherPass(const gpu::Device& device, const PhotonBuffers& photons, const CellsPass& grid,
-             const std::vector<PixelTile>& tiles, bool global, bool glossy, bool texel);
+             const std::vector<PixelTile>& tiles, std::uint32_t kernel, bool global, bool glossy, bool texel);
   // Submits as many rounds as the pixel with the most candidates needs, after what is recorded already.
   // `crop`: that the tiles hold from their beginning on. `lobe_part`: of outer faces' lobes, by which the map is
   // reflected.

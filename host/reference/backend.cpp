@@ -103,7 +103,7 @@ void ReferenceBackend::light(shared::PixelSample& sample, shared::PixelGloss* gl
 
 PhotonMap ReferenceBackend::make_map(const std::vector<Photon>& photons, const PhotonSet& set,
                                      std::uint32_t pass) const {
-  return {photons, pass_discs(set.discs, pass).widest};
+  return {photons, pass_discs(set.discs, pass).widest, settings_.kernel};
 }
 
 Samples ReferenceBackend::light_camera(std::uint32_t pass, const View& view, std::uint32_t photon_pass) {

@@ -10,9 +10,16 @@ namespace {
 // faces nearly as the photon does.
 constexpr double thickness = 1.0 / 3;
 
+// (1 - q2 / s)^p, p from 0 for the uniform one to 2 for the biweight, with s = (p + 2) / 4 for a second moment of 1/4.
+double disc_kernel(std::uint32_t kernel, double q2) {
+  const double power = kernel, s = (power + 2) / 4;
+  return q2 < s ? (power + 1) * glm::one_over_pi<double>() / s * std::pow(1 - q2 / s, power) : 0;
+}
+
 }  // namespace
 
-PhotonMap::PhotonMap(std::span<const Photon> photons, double widest) : cell_size_(widest / 4) {
+PhotonMap::PhotonMap(std::span<const Photon> photons, double widest, std::uint32_t kernel)
+    : cell_size_(widest / 4), kernel_(kernel) {
   for (const Photon& p : photons) {
     if (p.end >= shared::END_FIRST) continue;
     // Half-extents along the axes of the ellipse with half-width vectors alpha / alpha^2 and beta / beta^2, and of its
@@ -51,8 +58,7 @@ std::array<Density, shared::MAPS> PhotonMap::estimate(const glm::dvec3& position
         height >= thickness / glm::length(p->disc.alpha))
       continue;
     Density& density = densities[p->map];
-    const glm::dvec3 irradiance =
-        p->flux * (1 / p->let_through) * (3 * glm::one_over_pi<double>() * (1 - q2) * (1 - q2) * glm::length(facing));
+    const glm::dvec3 irradiance = p->flux * (1 / p->let_through) * (disc_kernel(kernel_, q2) * glm::length(facing));
     density.irradiance += irradiance;
     if (face) density.beyond_lambert += irradiance * beyond_lambert(*face, albedo, -p->arrival, lobe_part);
     ++density.photons;

@@ -29,12 +29,12 @@ struct Map {
   std::uint32_t grids = 0;  // that the pass took so far
 
   Map(const gpu::Device& device, const passes::PhotonBuffers& p, std::uint32_t c,
-      const std::vector<passes::PixelTile>& tiles, bool g, bool glossy, bool texel)
+      const std::vector<passes::PixelTile>& tiles, std::uint32_t kernel, bool g, bool glossy, bool texel)
       : global(g),
         capacity(c),
         photons(p),
         cells(device, photons, passes::entry_capacity(capacity), passes::most_cells(capacity), texel),
-        gather(device, photons, cells, tiles, global, glossy, texel) {}
+        gather(device, photons, cells, tiles, kernel, global, glossy, texel) {}
 };
 
 }  // namespace
@@ -70,9 +70,11 @@ struct GpuBackend::Passes {
                                                                                   global_capacity, world.glossy, true)
                                            : std::nullopt),
         paths(device, world, tables, photons, global_photons ? &*global_photons : nullptr, tiles, settings) {
-    if (capacity > 0) caustics.emplace(device, photons, capacity, tiles, false, world.glossy, tables.texel);
+    if (capacity > 0)
+      caustics.emplace(device, photons, capacity, tiles, settings.kernel, false, world.glossy, tables.texel);
     if (global_photons)
-      global.emplace(device, *global_photons, global_capacity, tiles, true, world.glossy, tables.texel);
+      global.emplace(device, *global_photons, global_capacity, tiles, settings.kernel, true, world.glossy,
+                     tables.texel);
     compile_seconds = set_up.seconds() - upload_seconds;
   }
 

@@ -38,6 +38,7 @@ void describe_settings(Image& image, const Scene& scene, const RenderSettings& s
   image.text["interreflection"] = settings.final_gathering ? "gathered" : "map";
   image.text["mapScale"] = fmt::format("targeted={},caustic={},global={}", scale.targeted, scale.caustic, scale.global);
   image.text["footprints"] = settings.caustics.discs.round() ? "round" : own_footprints;
+  image.text["kernel"] = kernel_names[settings.kernel];
   image.numbers["meniscusTolerance"] = meniscus_tolerance;
   image.numbers["seed"] = settings.seed;
   image.numbers["photonsPerPass"] = settings.photons;

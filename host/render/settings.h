@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -47,6 +48,9 @@ inline Discs pass_discs(const Discs& first, std::uint32_t pass) {
 // ordinary photon mapping, on the lights. Or no photons: path tracing, by the reference path alone.
 enum class Integrator { targeted, ordinary, path };
 
+// By shared::KERNEL_*.
+constexpr std::array<const char*, 3> kernel_names = {"uniform", "epanechnikov", "biweight"};
+
 // Photons that every pass starts.
 struct PhotonSet {
   std::vector<shared::Beam> beams;  // in order of their first photons; none: no photons
@@ -65,11 +69,12 @@ struct RenderSettings {
   std::uint32_t width = 640, height = 480;
   Crop crop{0, 0, 640, 480};
   Camera camera;
-  glm::uvec4 camera_media{0};  // dielectrics that it is inside of, as shared::medium_of
-  PhotonSet caustics;          // of the targeted and the caustic map
-  PhotonSet global;            // of the global map; their discs are round
-  double footprint = 0;        // side of a pixel on what is seen, m
-  std::uint32_t photons = 0;   // asked for, a pass; what they are shared out to follows
+  glm::uvec4 camera_media{0};                      // dielectrics that it is inside of, as shared::medium_of
+  PhotonSet caustics;                              // of the targeted and the caustic map
+  PhotonSet global;                                // of the global map; their discs are round
+  double footprint = 0;                            // side of a pixel on what is seen, m
+  std::uint32_t kernel = shared::KERNEL_BIWEIGHT;  // by which discs spread their photons
+  std::uint32_t photons = 0;                       // asked for, a pass; what they are shared out to follows
   std::uint32_t specular_bounces = 8, diffuse_bounces = 0;
   // Interreflection: shown as the global map has it, or gathered by a diffuse bounce of as many more camera paths from
   // all maps and the lights.

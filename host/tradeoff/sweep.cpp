@@ -44,6 +44,7 @@ std::vector<Knob> knobs_of(const SweptPreset& p, const SweptScene& scene) {
   for (const double pixels : {1.0, 2.0, 4.0, 8.0})
     radius.values.push_back(fmt::format("{:.4g}", pixels * scene.footprint));
   if (scene.footprint > 0) knobs.push_back(radius);
+  knobs.push_back({"kernel", "--kernel", "biweight", {"uniform", "epanechnikov", "biweight"}});
   if (scene.highlights)
     knobs.push_back(numeric<Whole>("highlight samples", "--highlight-samples", p.highlight_samples, {0, 4, 16, 64}));
   if (scene.menisci) {

@@ -2,6 +2,7 @@
 #ifndef MENISCAL_GEOMETRY_H
 #define MENISCAL_GEOMETRY_H
 #include "dialect.h"
+#include "structs.h"
 
 SHARED_BEGIN
 
@@ -79,11 +80,16 @@ SHARED vec3 unpack_direction(uint bits) {
   return normalize(vec3(q.x + (q.x < 0.0f ? fold : -fold), q.y + (q.y < 0.0f ? fold : -fold), z));
 }
 
-// Density kernel over the unit disc, q2 = squared distance in units of the radius, in [0, 1]: 3/pi (1 - q2)^2,
-// integrates to 1.
-SHARED float disc_kernel(float q2) {
-  float s = 1.0f - q2;
-  return 0.954929658551372f * s * s;
+// Density kernel on a disc, by the power of its slope; q2 = squared distance in units of the half-widths, in [0, 1]. Integrates to 1. The
+// biweight one, 3/pi (1 - q2)^2, reaches the disc's border; the flatter ones end before, so that all have the same second moment: they
+// blur alike, and differ in how well they even out noise.
+SHARED float disc_kernel(uint kernel, float q2) {
+  if (kernel == KERNEL_BIWEIGHT) {
+    float s = 1.0f - q2;
+    return 0.954929658551372f * s * s;
+  }
+  if (kernel == KERNEL_EPANECHNIKOV) return 0.848826363156775f * max(1.0f - q2 / 0.75f, 0.0f);
+  return q2 < 0.5f ? 0.636619772367581f : 0.0f;
 }
 
 SHARED_END

@@ -240,6 +240,8 @@ struct CellsPush {
 const uint SORT_BITS = 10u, SORT_BINS = 1024u, SORT_CHUNK = 2048u, SCAN_BLOCK = 128u;
 // Set in what a cell lists a second time: a photon that is in two cells of the same key.
 const uint LISTED_TWICE = 0x80000000u;
+// By the power of their slope; see disc_kernel.
+const uint KERNEL_UNIFORM = 0u, KERNEL_EPANECHNIKOV = 1u, KERNEL_BIWEIGHT = 2u;
 // Levels of the hash grid, at the most.
 const uint GRID_LEVELS = 8u;
 

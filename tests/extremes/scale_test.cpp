@@ -55,14 +55,28 @@ TEST(ScenePlace, TenKilometresAwayIsTheSame) {
   expect_same(other, usual, with_other_seed("shadow_sausage", options), "far away");
 }
 
-class DiscRadius : public testing::TestWithParam<double> {};
+struct Disc {
+  double part;  // of the scene, its radius
+  std::uint32_t kernel;
+};
+void PrintTo(const Disc& d, std::ostream* out) { *out << d.part << "_" << kernel_names[d.kernel]; }
+class DiscRadius : public testing::TestWithParam<Disc> {};
+
+// At a squared distance of so many radii; all with a second moment of 1/4.
+double density(std::uint32_t kernel, double squared) {
+  constexpr double pi = std::numbers::pi;
+  if (kernel == shared::KERNEL_BIWEIGHT) return squared < 1 ? 3 / pi * (1 - squared) * (1 - squared) : 0;
+  if (kernel == shared::KERNEL_EPANECHNIKOV) return squared < 0.75 ? 2 / (0.75 * pi) * (1 - squared / 0.75) : 0;
+  return squared < 0.5 ? 2 / pi : 0;
+}
 
 // What the floor gets is the sum over the photons on it, here over all of them.
 TEST_P(DiscRadius, OfTheSceneSumsThePhotonsInADisc) {
   REQUIRE_DEVICE();
+  const auto [part, kernel] = GetParam();
   RenderOptions options = options_of(MeniscusModel::paper, 2000);
-  const double radius = GetParam() * test::make_setup("post", options)->world.radius;
-  options.radius = radius;
+  const double radius = part * test::make_setup("post", options)->world.radius;
+  options.radius = radius, options.kernel = kernel;
   const auto setup = test::make_setup("post", options);
   const Both both = render_both(*setup);
   reference::ReferenceBackend backend(setup->world, setup->settings);
@@ -79,18 +93,19 @@ TEST_P(DiscRadius, OfTheSceneSumsThePhotonsInADisc) {
     for (const PhotonEnd& p : photons) {
       if (p.end >= shared::END_FIRST || !is_on_floor(p.position + origin)) continue;
       const glm::dvec3 offset = (p.position + origin - both.positions[i]) / radius;
-      const double rest = 1 - glm::dot(offset, offset);
-      // A biweight kernel: 3 / pi (1 - r^2)^2 integrates to 1.
-      if (rest > 0) expected[i] += albedo * 3 * rest * rest / std::pow(std::numbers::pi * radius, 2) * p.flux;
+      expected[i] += albedo / std::numbers::pi * density(kernel, glm::dot(offset, offset)) / (radius * radius) * p.flux;
     }
   }
-  if (GetParam() >= 1e-3) {
+  if (part >= 1e-3) {
     EXPECT_GT(mean(expected), 0);
   }
   for (const Picture* picture : {&cpu, &gpu})
     EXPECT_LT(*picture == expected ? 0 : relative_rms(*picture, expected, 0.01), 1e-3);
 }
-INSTANTIATE_TEST_SUITE_P(Radii, DiscRadius, testing::Values(1e-6, 1e-3, 0.1, 1.0));
+INSTANTIATE_TEST_SUITE_P(Radii, DiscRadius,
+                         testing::Values(Disc{1e-6, shared::KERNEL_BIWEIGHT}, Disc{1e-3, shared::KERNEL_BIWEIGHT},
+                                         Disc{0.1, shared::KERNEL_BIWEIGHT}, Disc{1, shared::KERNEL_BIWEIGHT},
+                                         Disc{0.1, shared::KERNEL_EPANECHNIKOV}, Disc{0.1, shared::KERNEL_UNIFORM}));
 
 TEST(Photons, MayBeOne) {
   REQUIRE_DEVICE();

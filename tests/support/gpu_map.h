@@ -18,7 +18,7 @@ struct GpuMap {
         photons(device, count, world.glossy),
         paths(device, world, tables, photons, nullptr, tiles, settings),
         cells(device, photons, passes::entry_capacity(count), grid.cells(), tables.texel),
-        gather(device, photons, cells, tiles, false, world.glossy, tables.texel) {}
+        gather(device, photons, cells, tiles, shared::KERNEL_BIWEIGHT, false, world.glossy, tables.texel) {}
 
   // The photons, and the pixels, to which gathering adds.
   void prepare() {

@@ -63,7 +63,8 @@ class ScalarGrid {
         const glm::vec3 facing = glm::cross(p.alpha, p.beta);
         const float density = glm::length(facing);
         if (!shared::disc_holds(offset, normal, q2, p.beta, facing, density)) continue;
-        sum += glm::vec3(std::abs(p.flux_r), p.flux_g, p.flux_b) * (shared::disc_kernel(q2) * density);
+        sum += glm::vec3(std::abs(p.flux_r), p.flux_g, p.flux_b) *
+               (shared::disc_kernel(shared::KERNEL_BIWEIGHT, q2) * density);
       }
     }
     return sum;

@@ -52,7 +52,7 @@ TEST(Presets, BuyAPixelOfALargePictureNoLess) {
 TEST(RenderOptions, EachOptionIsTaken) {
   const RenderOptions o = parse(
       "a.glb -o out.exr --device llvmpipe --meniscus paper --meniscus-tolerance 2.5 --photons 1e6 --passes 7 --radius "
-      "2.5e-4 --diffuse-bounces "
+      "2.5e-4 --kernel uniform --diffuse-bounces "
       "0 "
       "--specular-bounces 5 --seed 4294967295 --map-scale global=0,targeted=2.5 --resolution 320x200 --crop "
       "10,20,320,200 --camera Top "
@@ -64,6 +64,7 @@ TEST(RenderOptions, EachOptionIsTaken) {
   EXPECT_EQ(o.photons, 1000000u);
   EXPECT_EQ(o.passes_to_run(1).last, 7u);
   EXPECT_EQ(o.radius, 2.5e-4);
+  EXPECT_EQ(o.kernel, shared::KERNEL_UNIFORM);
   EXPECT_EQ(o.diffuse_bounces, 0);
   EXPECT_EQ(o.specular_bounces, 5);
   EXPECT_EQ(o.seed, 4294967295u);
@@ -115,18 +116,20 @@ TEST_P(Refused, WithTheOptionsName) {
 
 INSTANTIATE_TEST_SUITE_P(
     RenderOptions, Refused,
-    ::testing::Values(
-        "--photons 0", "--photons -5", "--photons 1.5", "--photons many", "--photons 1e10", "--passes 0",
-        "--pass-range 3", "--pass-range 3:3", "--pass-range 5:2", "--pass-range -1:2", "--pass-range 1:2:3",
-        "--pass-range 16:32 --passes 16", "--radius 0", "--radius nan", "--radius inf", "--radius -1", "--seed -1",
-        "--seed 4294967296", "--resolution 640", "--resolution 640x", "--resolution 0x480", "--resolution 640x480x3",
-        "--resolution 1e9x1", "--crop 1,2,3", "--crop 5,0,5,9", "--crop -1,0,5,9", "--crop 0,0,9,9 --resolution 8x9",
-        "--crop 0,0,8,10 --resolution 8x9", "--map-scale targeted", "--map-scale sun=1", "--map-scale targeted=nan",
-        "--map-scale targeted=-1", "--map-scale targeted=1,", "--tonemap filmic", "--meniscus flat",
-        "--meniscus-tolerance 0", "--exposure nan", "--exposure bright", "--aov depth,colour", "--diffuse-bounces -1",
-        "--quiet --json-progress", "--integrator light", "--quality best", "--time 0", "--time nan", "--time -1",
-        "--target-error 0", "--target-error inf", "--output a", "--output ./b/../a", "--preview a",
-        "--preview p.png --output ./p.png", "--stats p --preview p", "--checkpoint a", "--checkpoint p --stats p"));
+    ::testing::Values("--photons 0", "--photons -5", "--photons 1.5", "--photons many", "--photons 1e10", "--passes 0",
+                      "--pass-range 3", "--pass-range 3:3", "--pass-range 5:2", "--pass-range -1:2",
+                      "--pass-range 1:2:3", "--pass-range 16:32 --passes 16", "--radius 0", "--radius nan",
+                      "--radius inf", "--radius -1", "--kernel gauss", "--seed -1", "--seed 4294967296",
+                      "--resolution 640", "--resolution 640x", "--resolution 0x480", "--resolution 640x480x3",
+                      "--resolution 1e9x1", "--crop 1,2,3", "--crop 5,0,5,9", "--crop -1,0,5,9",
+                      "--crop 0,0,9,9 --resolution 8x9", "--crop 0,0,8,10 --resolution 8x9", "--map-scale targeted",
+                      "--map-scale sun=1", "--map-scale targeted=nan", "--map-scale targeted=-1",
+                      "--map-scale targeted=1,", "--tonemap filmic", "--meniscus flat", "--meniscus-tolerance 0",
+                      "--exposure nan", "--exposure bright", "--aov depth,colour", "--diffuse-bounces -1",
+                      "--quiet --json-progress", "--integrator light", "--quality best", "--time 0", "--time nan",
+                      "--time -1", "--target-error 0", "--target-error inf", "--output a", "--output ./b/../a",
+                      "--preview a", "--preview p.png --output ./p.png", "--stats p --preview p", "--checkpoint a",
+                      "--checkpoint p --stats p"));
 
 TEST(RenderOptions, SceneIsNeeded) { EXPECT_THROW(parse("--passes 3"), CLI::RequiredError); }
 
