@@ -16,6 +16,8 @@ constexpr double zoom = 8;                        // of what is looked at, from 
 constexpr std::uint32_t pilot_pass = 0x80000000;  // first of the passes whose random numbers the pilot takes
 // What is thought to be unseen still gets a share: rare paths are noisy then, but not lost.
 constexpr double unseen_share = 0.03;
+// Where photons were seen round what is seen, but not there.
+constexpr double unseen_share_beside = 0.5;
 
 }  // namespace
 
@@ -61,10 +63,10 @@ struct Seen {
 };
 struct SeenSet {
   Seen all, targeted;
-  bool missed = false;  // by the last look, which says no more than that less is there
+  bool missed = false;  // by the last look: what is known is of one before
 };
 
-enum class Look { narrower, again };  // than the one before, or at the same
+enum class Look { wider, narrower, again };  // than the one before, or at the same
 
 // What a round's photons tell of the sets that their beams belong to. How many were seen.
 std::size_t look(Backend& backend, RenderSettings& settings, const std::vector<std::size_t>& set_of_beam,
@@ -87,12 +89,13 @@ std::size_t look(Backend& backend, RenderSettings& settings, const std::vector<s
     }
   }
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    seen[i].missed = !found[i].all.any();
-    if (seen[i].missed) {
-      seen[i].all.flux /= zoom * zoom;  // as much as if it lay evenly where it was seen
+    if (!found[i].all.any()) {
+      seen[i].missed = true;
+      if (how == Look::narrower) seen[i].all.flux /= zoom * zoom;  // as if it lay evenly where it was seen
       continue;
     }
-    if (how == Look::again) found[i].all.widen(seen[i].all), found[i].targeted.widen(seen[i].targeted);
+    if (how == Look::again && !seen[i].missed)
+      found[i].all.widen(seen[i].all), found[i].targeted.widen(seen[i].targeted);
     seen[i] = found[i];
   }
   return count;
@@ -128,13 +131,13 @@ std::vector<StartWindow> windows_round(const SeenSet& seen, const StartSet& look
 }
 
 // Makes shares of what windows weigh; the whole squares get the part that is for what is not seen.
-void share_out(std::vector<StartSet>& sets) {
+void share_out(std::vector<StartSet>& sets, double unseen) {
   double total = 0;
   for (const StartSet& s : sets)
     for (const StartWindow& w : s.windows) total += w.share;
   for (StartSet& s : sets)
     for (StartWindow& w : s.windows)
-      w.share = w.seen ? (1 - unseen_share) * w.share / total : (total > 0 ? unseen_share : 1) / double(sets.size());
+      w.share = w.seen ? (1 - unseen) * w.share / total : (total > 0 ? unseen : 1) / double(sets.size());
 }
 
 // What the camera sees differently by photons of two passes. The samples are the same but for these.
@@ -189,10 +192,10 @@ Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& set
   backend.configure(pilot);
   std::uint32_t width = pilot.crop.width();
   std::vector<shared::PixelSample> samples = backend.trace_camera(pilot_pass, View{});
-  if (samples.size() == 1) {  // no pixel beside it tells how wide it is: other rays of its own do
-    width = 4;
-    for (std::uint32_t i = 1; i < width * width; ++i)
-      samples.push_back(backend.trace_camera(pilot_pass + i, View{}).front());
+  double least = 0;           // size of cells, m
+  if (samples.size() == 1) {  // no pixel beside it tells how wide it is: cells beside its middle's are to hold it
+    samples.push_back(backend.trace_camera(pilot_pass + 1, View{}).front());
+    width = 2, least = settings.footprint / 2;
   }
   const auto part = [&](float surfaces) {
     return double(std::count_if(samples.begin(), samples.end(), [=](const auto& s) { return s.split >= surfaces; })) /
@@ -200,34 +203,35 @@ Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& set
   };
   constexpr double worth_a_path = 0.01;  // of the picture
   const std::uint32_t split = part(2) > worth_a_path ? 2 : part(1) > 0 ? 1 : 0;
-  const SeenCells cells(samples, width);
+  const SeenCells cells(samples, width, least);
 
   std::vector<StartSet> sets = default_starts(world);
   if (cells.empty()) return {sets, split, {}};
   for (StartSet& s : sets) s.windows = {StartWindow{.share = 1.0 / double(sets.size())}};
   std::vector<SeenSet> seen(sets.size());
   std::uint32_t round = 0;
+  std::size_t landed = 0;  // in the last look
   const auto look_at = [&](const SeenCells& what, Look how) {
     pilot.caustics.beams = make_beams(world, sets, photons_a_round);
-    return look(backend, pilot, sets_of_beams(sets), round++, what, how, seen);
+    landed = look(backend, pilot, sets_of_beams(sets), round++, what, how, seen);
   };
   const auto narrow = [&](bool menisci) {
     for (std::size_t i = 0; i < sets.size(); ++i) sets[i].windows = windows_round(seen[i], sets[i], menisci);
-    share_out(sets);
+    share_out(sets, landed > 0 ? unseen_share : unseen_share_beside);
   };
   // Where so little is seen that hardly a photon lands there, first what lies round it: as wide as some land in, then
   // narrower by steps.
   double around = 0;
-  const auto look_around = [&] {
-    return look_at(around > 0 ? SeenCells(samples, width, around) : cells, Look::narrower);
-  };
-  std::size_t landed;
-  while ((landed = look_around()) < enough && around < world.radius) around = zoom * std::max(around, cells.widest());
+  look_at(cells, Look::wider);
+  while (landed < enough && around < world.radius) {
+    around = zoom * std::max(around, cells.widest());
+    look_at(SeenCells(samples, width, around), Look::wider);
+  }
   if (landed == 0) around = 0;
   while (around > 0) {
     narrow(false);
     around = around > zoom * cells.widest() ? around / zoom : 0;
-    look_around();
+    look_at(around > 0 ? SeenCells(samples, width, around) : cells, Look::narrower);
   }
   narrow(false);
   look_at(cells, Look::again);

@@ -20,9 +20,9 @@ RenderSettings coarse_view(RenderSettings settings);
 
 // Traces some thousand camera rays and photons, more where hardly any photons land in so small a view, and gives
 // windows round the starts of those photons that landed where the camera sees, with shares as the square roots of the
-// flux that they brought there. Where nothing is seen: default_starts. Where interreflection needs photons, too, looks
-// twice at what either map gives: that is its noise, and counts how many photons discs hold. Deterministic. The backend
-// has other settings afterwards.
+// flux that they brought there. Where nothing is seen, not even round it: default_starts. Where interreflection needs
+// photons, too, looks twice at what either map gives: that is its noise, and counts how many photons discs hold.
+// Deterministic. The backend has other settings afterwards.
 Pilot look_ahead(Backend& backend, const World& world, const RenderSettings& settings);
 
 }  // namespace meniscal

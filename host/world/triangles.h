@@ -14,8 +14,8 @@ void append(std::vector<WorldTriangle>& triangles, const meniscus::TriangleMesh&
             const std::vector<std::uint8_t>* meniscus = nullptr);
 
 // Drops those that lie on an earlier one of the same material, corner on corner, and face alike; returns how many. A
-// ray meets one of them, but would have to look at all. Faces of glass and liquids stay: light goes
-// through each.
+// ray meets one of them, but would have to look at all. Its normals and textures stay. So do all faces
+// that light goes through.
 std::size_t drop_coincident(std::vector<WorldTriangle>& triangles, const std::vector<shared::Surface>& surfaces);
 
 // Radius of a sphere round the local origin that holds all of them, metres.

@@ -174,9 +174,9 @@ World build_world(const Scene& scene, MeniscusModel model, const MeniscusToleran
 
   if (const std::size_t dropped = drop_coincident(world.triangles, world.surfaces); dropped > 0)
     world.warnings.push_back(
-        fmt::format("{}: {} left out, which lie on others of the same material; merge vertices by "
-                    "distance, or remove the double of an object",
-                    scene.file, dropped == 1 ? "a face is" : fmt::format("{} faces are", dropped)));
+        fmt::format("{}: faces that lie on others of the same material are left out ({}); merge "
+                    "vertices by distance, or remove the double of an object",
+                    scene.file, dropped));
   world.radius = radius_of(world.triangles);
   build_hierarchy(world);
   build_lights(world, scene);

@@ -77,7 +77,7 @@ inline std::set<std::string> join(std::set<std::string> a, const std::set<std::s
 }
 
 inline const std::vector<FeaturePair>& feature_pairs() {
-  const std::set<std::string> maps = {"pass cells", "pass gather", "constant HAS_DIFFERENTIALS"};
+  const std::set<std::string> maps = {"pass cells", "pass gather", "constant KERNEL", "constant HAS_DIFFERENTIALS"};
   const std::set<std::string> caustics = {"stage photons",         "stage grid",
                                           "stage gather",          "buffer beams",
                                           "buffer photon ends",    "buffer photon discs",
